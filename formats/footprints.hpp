@@ -1,0 +1,42 @@
+// Reading footprints: GIS files through GDAL/OGR (in a module that is loaded when one is opened),
+// OBJ faces, and literals.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grammar/diagnostic.hpp"
+#include "interpreter/footprint.hpp"
+
+namespace mansard {
+
+struct FootprintOptions {
+  std::string id;     ///< name of the property that identifies a footprint; empty: the usual ones
+  std::string layer;  ///< empty: for OSM the areas tagged `building`, else every polygon layer
+  std::string where;  ///< OGR SQL condition; empty: all
+  std::vector<Property> attributes;  ///< --attr: given to every footprint, stronger than the file's
+  std::vector<std::string> select;   ///< ids; empty: all
+  std::size_t limit = 0;             ///< 0: all
+};
+
+/// What could not be used, or was repaired. `broken` ones are left out of the set.
+struct FootprintNote {
+  std::string id;
+  std::string text;  ///< "self-crossing ring repaired", "has no area"
+  bool broken = false;
+};
+
+struct FootprintSet {
+  std::vector<Footprint> footprints;
+  std::vector<FootprintNote> notes;
+  std::string origin;  ///< how to get back: "local metres about lon 24.94, lat 60.17 (EPSG:4326)"
+  Vec2 shift;          ///< projected input: what was subtracted
+};
+
+/// `what` is a path, or a literal: `rect:10x8`, `L:12x9x5x4`, `T:…`, `U:…`, `ring:…`, `WKT:…`.
+/// Longitude/latitude become metres by an equal-distance projection (PROJ) about the set's middle;
+/// projected metres are shifted to it; other units are converted. Throws Failure when nothing can be read at all: no such
+/// file, a format GDAL does not know, a literal that is not one (the message says what is).
+FootprintSet read_footprints(const std::string& what, const FootprintOptions& options);
+
+}  // namespace mansard

@@ -1,0 +1,1 @@
+#include "grammar/source.hpp"

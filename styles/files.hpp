@@ -1,0 +1,25 @@
+// The seam to the disk, faked in tests.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mansard {
+
+class Files {
+ public:
+  virtual ~Files() = default;
+  /// Whole content, or nothing when the file can not be read.
+  virtual std::optional<std::string> read(const std::string& path) = 0;
+  virtual bool exists(const std::string& path) = 0;
+};
+
+/// The real disk. Reads regular files and pipes, refuses directories.
+class DiskFiles final : public Files {
+ public:
+  std::optional<std::string> read(const std::string& path) override;
+  bool exists(const std::string& path) override;
+};
+
+}  // namespace mansard

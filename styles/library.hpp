@@ -1,0 +1,51 @@
+// The files and styles of a run: a script, what it imports, and where imports are looked for.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grammar/diagnostic.hpp"
+#include "grammar/parse.hpp"
+#include "styles/files.hpp"
+
+namespace mansard {
+
+class Library {
+ public:
+  /// `path` is tried beside the importing file, then in each of these, in order.
+  explicit Library(Files& files, std::vector<std::string> style_path = {})
+      : files_(files), style_path_(std::move(style_path)) {}
+
+  /// Reads a script and everything it imports, each file once (import cycles are fine). Problems go
+  /// to `diagnostics`: unreadable files, syntax errors, two styles of one name. Returns the file, or
+  /// null when it can not be read at all. A library can load several scripts.
+  const syntax::File* load(const std::string& path, Diagnostics& diagnostics);
+
+  /// All styles loaded, in order of reading: imports before the file that names them.
+  const std::vector<const syntax::Style*>& styles() const { return styles_; }
+  const syntax::Style* find(std::string_view name) const;
+  /// The last style of the script that was loaded last: what `derive` takes without --style.
+  const syntax::Style* default_style() const { return default_; }
+  /// Folder of the file that holds `at` (for element meshes and textures named in it).
+  static std::string folder_of(const Span& at);
+  Files& files() const { return files_; }
+  const std::vector<std::string>& style_path() const { return style_path_; }
+  Sources& sources() { return sources_; }
+
+ private:
+  const syntax::File* load(const std::string& path, Span import_at, Diagnostics& diagnostics);
+  void add_styles(const syntax::File& file, Diagnostics& diagnostics);
+
+  Files& files_;
+  std::vector<std::string> style_path_;
+  Sources sources_;
+  std::deque<syntax::File> parsed_;
+  std::map<std::string, const syntax::File*> by_path_;
+  std::vector<const syntax::Style*> styles_;
+  const syntax::Style* default_ = nullptr;
+};
+
+}  // namespace mansard
