@@ -1,1 +1,44 @@
 #include "render/picture.hpp"
+
+#include "render/film.hpp"
+#include "render/rows.hpp"
+
+namespace mansard {
+namespace {
+
+constexpr int largest_side = 32768;
+/// Samples of a band: bounds the memory to about 150 MB.
+constexpr int band_samples = 1'500'000;
+
+}  // namespace
+
+Picture render(const Scene& scene, const PictureOptions& options) {
+  if (options.width < 1 || options.height < 1 || options.width > largest_side ||
+      options.height > largest_side) {
+    return {};
+  }
+  const World world(scene);
+  const Tracer tracer(world);
+  const Lens lens = aim(world, tracer, options);
+  const Lighting lighting(world, tracer, lens.forward);
+  // A quarter of a pixel's samples for each of its two by two.
+  const int samples = std::clamp((options.samples + 2) / 4, 1, 256);
+
+  Picture picture{options.width, options.height, {}};
+  picture.rgb.resize(std::size_t{3} * static_cast<std::size_t>(options.width) *
+                     static_cast<std::size_t>(options.height));
+  const int band = std::max(32, band_samples / (4 * options.width));
+  for (int first = 0; first < options.height; first += band) {
+    const int last = std::min(options.height, first + band);
+    const int top = std::max(0, 2 * first - film_border);
+    const int bottom = std::min(2 * options.height, 2 * last + film_border);
+    Film film(options, lens, top, bottom - top);
+    expose(film, world, tracer, lighting, samples);
+    smooth_light(film);
+    draw_ink(film, world);
+    develop(film, world, lighting, first, last, picture);
+  }
+  return picture;
+}
+
+}  // namespace mansard

@@ -21,10 +21,10 @@ struct Paint {
 
 /// Triangles to look at. Append, then render.
 struct Scene {
-  std::vector<float> points;         ///< x y z, three a corner, three corners a triangle
-  std::vector<float> uvs;            ///< u v, likewise
-  std::vector<uint32_t> paint;       ///< one a triangle
-  std::vector<uint32_t> face;        ///< one a triangle: the polygon it belongs to (for ink edges)
+  std::vector<float> points;    ///< x y z, three a corner, three corners a triangle
+  std::vector<float> uvs;       ///< u v, likewise
+  std::vector<uint32_t> paint;  ///< one a triangle
+  std::vector<uint32_t> face;   ///< one a triangle: the polygon it belongs to (for ink edges)
   std::vector<Paint> paints;
 
   /// Triangulates; materials of the surface index `paints` after `first_paint`.
@@ -34,7 +34,7 @@ struct Scene {
 struct Camera {
   enum class View : uint8_t { iso, street, free };
   View view = View::iso;
-  Vec3 eye, target;        ///< free only
+  Vec3 eye, target;           ///< free only
   double field_of_view = 35;  ///< degrees, vertical
 };
 
@@ -50,8 +50,8 @@ struct Picture {
   std::vector<uint8_t> rgb;  ///< rows from the top
 };
 
-/// Soft sun, sky occlusion, one bounce, ink edges, ground and horizon (Embree). The same input gives
-/// the same bytes for any number of threads. An empty scene is ground and sky.
+/// Soft sun, sky occlusion, one bounce, ink edges, ground and horizon (Embree). The same input
+/// gives the same bytes for any number of threads. An empty scene is ground and sky.
 Picture render(const Scene& scene, const PictureOptions& options);
 
 /// `street`, `iso` or `x,y,z,tx,ty,tz`; nothing for other text.

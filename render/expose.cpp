@@ -1,0 +1,76 @@
+#include "render/film.hpp"
+#include "render/rows.hpp"
+
+namespace mansard {
+namespace {
+
+/// Panes are never quite parallel: each mirrors another piece of sky.
+Float3 pane_normal(Float3 normal, uint32_t face) {
+  const uint32_t h = (face + 1) * 0x9e3779b1U;
+  const Float3 tilt{static_cast<float>(h >> 24) / 255 - 0.5F,
+                    static_cast<float>((h >> 16) & 255) / 255 - 0.5F,
+                    static_cast<float>((h >> 8) & 255) / 255 - 0.5F};
+  return normalized(normal + tilt * 0.045F);
+}
+
+/// Schlick's Fresnel term, raised at right angles so that glass shows in a drawing.
+Float3 mirrored(const Lighting& lighting, Float3 point, Float3 direction, Float3 normal) {
+  const float cosine = std::min(1.0F, std::abs(dot(normal, direction)));
+  const float grazing = 1 - cosine;
+  const float part = 0.30F + 0.62F * grazing * grazing * grazing;
+  const Float3 out = direction - normal * (2 * dot(direction, normal));
+  return lighting.radiance(point + normal * 2e-3F, normalized(out)) * part;
+}
+
+void expose_sample(Film& film, int x, int row, const World& world, const Tracer& tracer,
+                   const Lighting& lighting, int samples) {
+  const std::size_t i = film.at(x, row);
+  const Float3 ray = film.ray(x, row);
+  const Hit hit = tracer.see(film.lens.eye, ray);
+  film.triangle[i] = hit.triangle;
+  film.seen[i] = {hit.normal, hit.t};
+  if (hit.is_sky()) return;
+
+  const float distance = length(ray);
+  const Float3 direction = ray * (1 / distance);
+  const float slant = std::max(0.25F, -dot(hit.normal, direction));
+  film.color[i] =
+      world.color_at(hit.triangle, hit.u, hit.v, 0.5F * film.pixel * hit.t / std::sqrt(slant));
+  const Float3 point = film.lens.eye + ray * hit.t;
+  film.light[i] = lighting.gather(point, hit.normal, Spread(x, film.top + row, samples), samples);
+  if (hit.triangle != World::ground && world.look_of(hit.triangle).glass) {
+    film.color[i] = film.color[i] * 0.55F;
+    const Float3 normal = pane_normal(hit.normal, world.face[hit.triangle]);
+    film.shine[i] = mirrored(lighting, point, direction, normal);
+  }
+}
+
+}  // namespace
+
+Film::Film(const PictureOptions& options, const Lens& of, int band_top, int band_rows)
+    : width(2 * options.width),
+      height(2 * options.height),
+      top(band_top),
+      rows(band_rows),
+      threads(thread_count(options.threads)),
+      lens(of),
+      pixel(2 * length(of.up) / static_cast<float>(options.height)) {
+  const std::size_t count = at(0, rows);
+  seen.resize(count);
+  triangle.resize(count, World::sky);
+  color.resize(count);
+  shine.resize(count);
+  light.resize(count);
+  ink.resize(count);
+}
+
+void expose(Film& film, const World& world, const Tracer& tracer, const Lighting& lighting,
+            int samples) {
+  for_each_row(film.rows, film.threads, [&](int row) {
+    for (int x = 0; x < film.width; ++x) {
+      expose_sample(film, x, row, world, tracer, lighting, samples);
+    }
+  });
+}
+
+}  // namespace mansard
