@@ -13,6 +13,8 @@ class Files {
   /// Whole content, or nothing when the file can not be read.
   virtual std::optional<std::string> read(const std::string& path) = 0;
   virtual bool exists(const std::string& path) = 0;
+  /// One spelling for all paths of one file, so that it is read once. Here: `.` and `..` resolved.
+  virtual std::string identity(const std::string& path);
 };
 
 /// The real disk. Reads regular files and pipes, refuses directories.
@@ -20,6 +22,8 @@ class DiskFiles final : public Files {
  public:
   std::optional<std::string> read(const std::string& path) override;
   bool exists(const std::string& path) override;
+  /// Absolute, links resolved.
+  std::string identity(const std::string& path) override;
 };
 
 }  // namespace mansard

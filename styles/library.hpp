@@ -2,9 +2,9 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "grammar/diagnostic.hpp"
@@ -20,8 +20,8 @@ class Library {
       : files_(files), style_path_(std::move(style_path)) {}
 
   /// Reads a script and everything it imports, each file once (import cycles are fine). Problems go
-  /// to `diagnostics`: unreadable files, syntax errors, two styles of one name. Returns the file, or
-  /// null when it can not be read at all. A library can load several scripts.
+  /// to `diagnostics`: unreadable files, syntax errors, two styles of one name. Returns the file,
+  /// or null when it can not be read at all. A library can load several scripts.
   const syntax::File* load(const std::string& path, Diagnostics& diagnostics);
 
   /// All styles loaded, in order of reading: imports before the file that names them.
@@ -36,15 +36,22 @@ class Library {
   Sources& sources() { return sources_; }
 
  private:
-  const syntax::File* load(const std::string& path, Span import_at, Diagnostics& diagnostics);
+  /// A text that was found, and the path it was found under.
+  struct Found {
+    std::string path, text;
+  };
+  const syntax::File* load_import(const syntax::Import& import, Diagnostics& diagnostics);
+  const syntax::File* read(Found found, Span import_at, Diagnostics& diagnostics);
   void add_styles(const syntax::File& file, Diagnostics& diagnostics);
 
   Files& files_;
   std::vector<std::string> style_path_;
   Sources sources_;
   std::deque<syntax::File> parsed_;
-  std::map<std::string, const syntax::File*> by_path_;
+  std::unordered_map<std::string, const syntax::File*> by_identity_;
+  std::size_t import_depth_ = 0;
   std::vector<const syntax::Style*> styles_;
+  std::unordered_map<std::string_view, const syntax::Style*> by_name_;
   const syntax::Style* default_ = nullptr;
 };
 

@@ -1,12 +1,13 @@
-// A style with its inheritance resolved: for every symbol, variable, function, element and material,
-// the one that is in force, who gave it and what it overrides. Nothing of inheritance is left for
-// the derivation to do.
+// A style with its inheritance resolved: for every symbol, variable, function, element and
+// material, the one that is in force, who gave it and what it overrides. Nothing of inheritance is
+// left for the derivation to do.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "grammar/diagnostic.hpp"
@@ -23,7 +24,7 @@ struct Origin {
 
 /// The productions one style gives for a symbol.
 struct Generation {
-  Origin from;  ///< of the first of them
+  Origin from;                                   ///< of the first of them
   std::vector<const syntax::Rule*> productions;  ///< in text order
   std::vector<Origin> origins;                   ///< one a production
 };
@@ -72,12 +73,12 @@ struct LinkedStyle {
   std::vector<const syntax::Style*> order;  ///< C3, itself first
   std::string_view start = "FOOTPRINT";
   Span start_at;
-  std::vector<SymbolRules> symbols;        ///< those with productions
+  std::vector<SymbolRules> symbols;  ///< those with productions
   std::vector<VariableBinding> variables;
   std::vector<FunctionBinding> functions;
-  std::vector<ElementBinding> elements;    ///< a symbol that has rules keeps its entry; it rests
+  std::vector<ElementBinding> elements;  ///< a symbol that has rules keeps its entry; it rests
   std::vector<MaterialBinding> materials;
-  std::vector<Diagnostic> missing;         ///< abstract members nobody gave: errors once it is derived
+  std::vector<Diagnostic> missing;  ///< abstract members nobody gave: errors once it is derived
 
   std::string_view name() const { return syntax->name.text; }
   const SymbolRules* find_symbol(std::string_view name) const;
@@ -87,8 +88,10 @@ struct LinkedStyle {
   bool has_block(std::string_view name) const;
 
   std::unordered_map<std::string_view, std::size_t> symbol_index;
-  std::unordered_map<std::string, std::size_t> variable_index, function_index;  ///< "Block.Name" or "Name"
-  std::vector<std::string_view> blocks;
+  std::unordered_map<std::string, std::size_t> variable_index,
+      function_index;                    ///< "Block.Name" or "Name"
+  std::vector<std::string_view> blocks;  ///< those of rules, base style first
+  std::unordered_set<std::string_view> block_set;
 };
 
 /// Resolves one style of the library: C3 linearisation, merge of blocks, `replace`, `override`,
