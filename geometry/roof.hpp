@@ -17,18 +17,21 @@ enum class RoofPart : uint8_t { slope, gable, top, soffit, fascia, parapet };
 
 struct RoofOptions {
   RoofKind kind = RoofKind::hip;
-  double pitch = 35;      ///< degrees, 0 < pitch < 89
-  double height = 0;      ///< metres to the highest point; used instead of pitch when positive
-  double overhang = 0;    ///< metres, horizontal, at eaves and gables
+  double pitch = 35;        ///< degrees, 0 < pitch < 89
+  double height = 0;        ///< metres to the highest point; used instead of pitch when positive
+  /// Metres, horizontal, at eaves and gables; not at gables over party walls, where the neighbour
+  /// stands. Corners go only a share of the way where they would meet other eaves.
+  double overhang = 0;
   double thickness = 0.15;  ///< metres: height of the fascia; only with overhang
-  double parapet = 0;     ///< metres, flat roofs only
+  double parapet = 0;       ///< metres, flat roofs only
   double parapet_width = 0.25;
-  /// Which edges become gables where their roof face is a triangular hip end; null: all.
+  /// Which edges become gables where their roof face is a triangular hip end; null: all. Over a
+  /// quadrilateral either pair of opposite edges can, the short one if both may.
   std::function<bool(uint32_t edge)> gables;
 };
 
-/// A planar face: `loop` is counter-clockwise seen from outside in (u, v, up); its first edge is the
-/// eave (or the lowest edge).
+/// A planar face: `loop` is counter-clockwise seen from outside in (u, v, up); its first edge is
+/// the eave (or the lowest edge).
 struct RoofFace {
   RoofPart part = RoofPart::slope;
   EdgeTag tag;  ///< of the wall below it

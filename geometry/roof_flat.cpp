@@ -1,0 +1,93 @@
+// Flat roofs: a plain top, a slab that overhangs, a parapet.
+#include <cmath>
+
+#include "geometry/clean.hpp"
+#include "geometry/roof_parts.hpp"
+
+namespace mansard {
+namespace {
+
+constexpr Vec3 at(Vec2 p, double up) { return {p.x, p.y, up}; }
+
+void add_top(Roof& roof, const Polygon& polygon, double up) {
+  RoofFace top{RoofPart::top, polygon.tags[0], {}, {}};
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    std::vector<Vec3> ring;
+    for (const Vec2 p : polygon.ring(r)) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+      if (ring.empty() || ring.back() != at(p, up)) ring.push_back(at(p, up));
+    }
+    const bool flat = ring.size() < 3 || !(std::abs(area(polygon.ring(r))) > 1e-9);
+    if (r == 0 && flat) return;
+    if (r == 0)
+      top.loop = std::move(ring);
+    else if (!flat)
+      top.holes.push_back(std::move(ring));
+  }
+  roof.faces.push_back(std::move(top));
+}
+
+// A vertical band over the edge a-b, seen from its right side.
+void add_band(Roof& roof, RoofPart part, EdgeTag tag, Vec2 a, Vec2 b, double low, double high) {
+  add_face(roof, part, tag, std::array{at(a, low), at(b, low), at(b, high), at(a, high)});
+}
+
+// The slab's underside and edge; what stands on it gets its outline and height.
+double add_slab(Roof& roof, Polygon& polygon, const RoofOptions& options) {
+  const std::size_t n = polygon.points.size();
+  const MovedOutline outer = move_outline(polygon, std::vector<double>(n, options.overhang));
+  Polygon slab = polygon;
+  slab.points = outer.points;
+  const double thickness = std::max(options.thickness, 0.0);
+  const std::vector<Vec2> walls = polygon.points;
+  for (std::size_t r = 0; r < slab.rings(); ++r) {
+    const uint32_t begin = slab.ring_begin(r), end = slab.ring_ends[r];
+    for (uint32_t i = begin; i < end; ++i) {
+      const uint32_t next = i + 1 == end ? begin : i + 1;
+      const Vec2 a = slab.points[i], b = slab.points[next];
+      add_face(roof, RoofPart::soffit, slab.tags[i],
+               std::array{at(b, 0), at(a, 0), at(walls[i], 0), at(walls[next], 0)});
+      add_band(roof, RoofPart::fascia, slab.tags[i], a, b, 0, thickness);
+    }
+  }
+  polygon = std::move(slab);
+  return thickness;
+}
+
+// Outer side, cap and inner side all round; what remains inside is the top.
+void add_parapet(Roof& roof, Polygon& polygon, double foot, const RoofOptions& options) {
+  const std::size_t n = polygon.points.size();
+  const MovedOutline inner = move_outline(polygon, std::vector<double>(n, -options.parapet_width));
+  const double high = foot + options.parapet;
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const uint32_t begin = polygon.ring_begin(r), end = polygon.ring_ends[r];
+    for (uint32_t i = begin; i < end; ++i) {
+      const uint32_t next = i + 1 == end ? begin : i + 1;
+      const Vec2 a = polygon.points[i], b = polygon.points[next];
+      const Vec2 c = inner.points[next], d = inner.points[i];
+      add_band(roof, RoofPart::parapet, polygon.tags[i], a, b, foot, high);
+      add_face(roof, RoofPart::parapet, polygon.tags[i],
+               std::array{at(a, high), at(b, high), at(c, high), at(d, high)});
+      add_band(roof, RoofPart::parapet, polygon.tags[i], c, d, foot, high);
+    }
+  }
+  polygon.points = inner.points;
+}
+
+}  // namespace
+
+Roof flat_roof(const Polygon& polygon, const RoofOptions& options) {
+  Roof roof;
+  if (polygon.empty() || polygon.rings() == 0) return roof;
+  const bool slab = options.overhang > 0, parapet = options.parapet > 0;
+  std::optional<Cleaned> cleaned;
+  if (slab || parapet) cleaned = clean(polygon, {});
+  Polygon outline = cleaned ? std::move(cleaned->polygon) : polygon;
+  double up = 0;
+  if (cleaned && slab) up = add_slab(roof, outline, options);
+  if (cleaned && parapet) add_parapet(roof, outline, up, options);
+  add_top(roof, outline, up);
+  return roof;
+}
+
+}  // namespace mansard

@@ -1,0 +1,68 @@
+// The straight skeleton as points with numbers, for the roofs. Nothing here is CGAL's.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/polygon.hpp"
+#include "geometry/vector.hpp"
+
+namespace mansard {
+
+/// The faces of a straight skeleton, one an edge of its polygon, in edge order. Faces share nodes
+/// by number, so that what is built on them is closed by construction.
+struct SkeletonMesh {
+  std::vector<Vec3> nodes;          ///< (u, v, inset distance); the polygon's points come first
+  std::vector<uint32_t> corners;    ///< node numbers, face after face, each from its edge's start
+  std::vector<uint32_t> face_ends;  ///< one past the last corner of each face
+
+  std::size_t faces() const { return face_ends.size(); }
+  uint32_t face_begin(std::size_t f) const { return f == 0 ? 0 : face_ends[f - 1]; }
+  std::span<const uint32_t> face(std::size_t f) const {
+    return {corners.data() + face_begin(f), corners.data() + face_ends[f]};
+  }
+};
+
+/// The line of a wall as n.p + c: the distance of p inwards from it.
+struct WallLine {
+  Vec2 normal;
+  double c = 0;
+  double distance(Vec2 p) const { return dot(normal, p) + c; }
+};
+WallLine wall_line(Vec2 from, Vec2 to);
+std::vector<WallLine> wall_lines(const Polygon& polygon);
+
+/// The point (u, v, t) at the distance t from three lines; nullopt when there is no single one.
+std::optional<Vec3> meet(const WallLine& a, const WallLine& b, const WallLine& c);
+
+/// CGAL's straight skeleton of a clean, simple, oriented polygon, as it comes. nullopt when CGAL
+/// gives none. What is not clean may crash or hang it (CGAL 5.5): see clean.hpp.
+std::optional<SkeletonMesh> raw_skeleton(const Polygon& polygon);
+
+/// The skeleton of a convex quadrilateral in closed form: six nodes, the ridge from node 4 (on the
+/// face of `first`) to node 5, which coincide over a square. nullopt for other polygons.
+struct QuadSkeleton {
+  SkeletonMesh mesh;
+  uint32_t first = 0;  ///< the edge whose face is the triangle with node 4
+};
+std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon);
+
+/// raw_skeleton of the polygon with every point moved by `jitter` metres at most, which keeps CGAL
+/// away from events at the same time; then nodes that belong together are joined and moved to where
+/// the planes of the polygon itself meet. nullopt unless it passes every check: a face for each
+/// edge, closed, planar, and covering the polygon.
+std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, double jitter);
+
+/// The first rung of the ladder that gives a checked skeleton, with the polygon it stands on.
+struct SkeletonOn {
+  SkeletonMesh mesh;
+  Polygon polygon;              ///< cleaned
+  std::vector<uint32_t> edges;  ///< number of the original edge for each edge of `polygon`
+  int fallback = 1;
+  std::optional<uint32_t> quad_first;  ///< QuadSkeleton::first, where it is one
+};
+std::optional<SkeletonOn> best_skeleton(const Polygon& polygon);
+
+}  // namespace mansard
