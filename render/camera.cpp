@@ -69,7 +69,7 @@ Lens lens(Float3 eye, const Axes& axes, float tangent, float aspect, float shift
 Lens aim_iso(const World& world, float aspect) {
   const bool is_large = world.radius > large;
   const Axes axes(looking(is_large ? 30 : 38, is_large ? 36 : 27));
-  const float tangent = std::tan(radians(is_large ? 24 : 14) / 2);
+  const float tangent = std::tan(radians(is_large ? 18 : 6) / 2);
   const Fit sideways = fit(world, axes, axes.right, tangent * aspect / margin);
   const Fit upwards = fit(world, axes, axes.up, tangent / margin);
   return lens(
@@ -84,20 +84,21 @@ Lens aim_at_front(const World& world, double field_of_view, float aspect) {
   const float tangent = std::tan(radians(field_of_view) / 2);
   const Fit sideways = fit(world, axes, axes.right, tangent * aspect / margin);
 
-  // The film is shifted up so that the horizon is at a quarter of the picture: heights up to
-  // 1.5 tangents are seen. Nearer than that only while the ground before the scene stays in.
-  const float shift = 0.5F * tangent, top = (shift + tangent) / margin;
+  // The film is shifted up, at most until the horizon lies at a quarter of the picture's height.
+  const float most_shift = 0.5F * tangent, top = (most_shift + tangent) / margin;
   const float behind_top =
       support(world, [&](Float3 p) { return (p.y - eye_height) - dot(p, axes.forward) * top; });
   const float depth = std::min(sideways.depth, -behind_top / top);
-  const float highest = support(world, [&](Float3 p) {
+  const auto slope = [&](Float3 p) {
     return (p.y - eye_height) / std::max(0.1F, dot(p, axes.forward) - depth);
-  });
-  // A low scene would leave much sky: lower the film until it lies in the middle.
-  const float lower = std::clamp((highest - 0.35F * tangent) / 2, -0.1F * tangent, shift);
+  };
+  const float highest = support(world, slope),
+              lowest = -support(world, [&](Float3 p) { return -slope(p); });
+  // The scene lies a little below the middle: more sky than ground.
+  const float shift = std::clamp((highest + lowest) / 2 + 0.13F * tangent, 0.0F, most_shift);
   Float3 eye = axes.world({sideways.across, 0, depth});
   eye.y = eye_height;
-  return lens(eye, axes, tangent, aspect, lower);
+  return lens(eye, axes, tangent, aspect, shift);
 }
 
 Lens aim_freely(const World& world, const Camera& camera, float aspect) {

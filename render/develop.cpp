@@ -8,19 +8,28 @@ namespace {
 
 constexpr Float3 ink_color{0.030F, 0.032F, 0.050F};
 /// Where ground and sky meet.
-constexpr Float3 haze{1.10F, 1.12F, 1.13F};
-constexpr float exposure = 0.66F;
+constexpr Float3 haze{1.62F, 1.62F, 1.60F};
+constexpr float exposure = 0.56F;
 
 /// Paper-white at the horizon, blue above.
 Float3 backdrop(Float3 direction) {
   const float height = std::max(0.0F, direction.y);
-  return mix(haze, {0.42F, 0.64F, 1.02F}, 1 - std::exp(-2.6F * height));
+  return mix(haze, {0.72F, 1.02F, 1.50F}, 1 - std::exp(-2.2F * height));
 }
 
 /// Narkowicz 2015, a fit of the ACES film curve.
 float tone(float light) {
   const float x = light * exposure;
   return std::clamp(x * (2.51F * x + 0.03F) / (x * (2.43F * x + 0.59F) + 0.14F), 0.0F, 1.0F);
+}
+
+/// The curve on each channel makes colours garish, on brightness alone it keeps the paint's hue:
+/// half of each.
+Float3 toned(Float3 light) {
+  const float brightness = dot(light, {0.2126F, 0.7152F, 0.0722F});
+  if (!(brightness > 0)) return {};
+  const Float3 same_hue = light * (tone(brightness) / brightness);
+  return mix({tone(light.x), tone(light.y), tone(light.z)}, same_hue, 0.5F);
 }
 
 uint8_t srgb(float linear) {
@@ -35,8 +44,9 @@ float haze_at(const Film& film, const World& world, std::size_t i, Float3 point)
   const float away = std::sqrt(from_middle.x * from_middle.x + from_middle.z * from_middle.z);
   const float reach = std::max(world.radius, 12.0F);
   if (film.triangle[i] == World::ground) return smooth_step(2 * reach, 14 * reach, away);
-  const float beyond = std::max(0.0F, film.seen[i].depth - 150);
-  return 0.75F * (1 - std::exp(-beyond / 2200));
+  const float nearest = std::max(150.0F, length(film.lens.eye - world.middle()) - reach);
+  const float beyond = std::max(0.0F, length(point - film.lens.eye) - nearest);
+  return 0.6F * (1 - std::exp(-beyond / std::max(1500.0F, 6 * reach)));
 }
 
 Float3 finished(const Film& film, const World& world, const Lighting& lighting, int x, int row) {
@@ -48,8 +58,7 @@ Float3 finished(const Film& film, const World& world, const Lighting& lighting, 
     light = lighting.reflected(film.color[i], film.seen[i].normal, film.light[i]) + film.shine[i];
     light = mix(light, haze, haze_at(film, world, i, film.point(x, row)));
   }
-  const Float3 toned{tone(light.x), tone(light.y), tone(light.z)};
-  return mix(toned, ink_color, film.ink[i]);
+  return mix(toned(light), ink_color, film.ink[i]);
 }
 
 }  // namespace

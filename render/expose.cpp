@@ -13,13 +13,14 @@ Float3 pane_normal(Float3 normal, uint32_t face) {
   return normalized(normal + tilt * 0.045F);
 }
 
-/// Schlick's Fresnel term, raised at right angles so that glass shows in a drawing.
+/// Schlick's Fresnel term, raised at right angles so that glass shows in a drawing. The bare ground
+/// is not mirrored: seen from above, panes would be white as paper.
 Float3 mirrored(const Lighting& lighting, Float3 point, Float3 direction, Float3 normal) {
-  const float cosine = std::min(1.0F, std::abs(dot(normal, direction)));
-  const float grazing = 1 - cosine;
+  const float grazing = 1 - std::min(1.0F, std::abs(dot(normal, direction)));
   const float part = 0.30F + 0.62F * grazing * grazing * grazing;
-  const Float3 out = direction - normal * (2 * dot(direction, normal));
-  return lighting.radiance(point + normal * 2e-3F, normalized(out)) * part;
+  Float3 out = normalized(direction - normal * (2 * dot(direction, normal)));
+  out.y = std::abs(out.y);
+  return lighting.radiance(point + normal * 2e-3F, out) * part;
 }
 
 void expose_sample(Film& film, int x, int row, const World& world, const Tracer& tracer,
@@ -61,6 +62,7 @@ Film::Film(const PictureOptions& options, const Lens& of, int band_top, int band
   color.resize(count);
   shine.resize(count);
   light.resize(count);
+  smoothed.resize(count);
   ink.resize(count);
 }
 

@@ -28,7 +28,8 @@ struct Film {
   std::vector<Float3> color;  ///< of the surface, or of the sky
   std::vector<Float3> shine;  ///< mirrored by glass
   std::vector<Light> light;
-  std::vector<float> ink;  ///< 0..1
+  std::vector<Light> smoothed;  ///< light while it is smoothed
+  std::vector<float> ink;       ///< 0..1
 
   Film(const PictureOptions& options, const Lens& of, int band_top, int band_rows);
 
@@ -54,6 +55,6 @@ void draw_ink(Film& film, const World& world);
 void develop(const Film& film, const World& world, const Lighting& lighting, int first, int last,
              Picture& picture);
 /// Samples above and below that smooth_light and draw_ink look at.
-constexpr int film_border = 16;
+constexpr int film_border = 24;
 
 }  // namespace mansard

@@ -8,11 +8,17 @@ namespace {
 
 constexpr std::array<float, 5> kernel{0.25F, 0.9F, 1.0F, 0.9F, 0.25F};
 
+float brightness(const Light& light) { return light.ambient.x + light.ambient.y + light.ambient.z; }
+
 /// One pass of the à-trous filter (Dammertz et al. 2010), with `step` samples between taps, over
-/// samples of the same plane.
+/// samples of the same plane. Wide passes leave out taps that differ much: edges of shadows.
 class Pass {
  public:
-  Pass(const Film& film, int step, bool with_sun) : film_(film), step_(step), with_sun_(with_sun) {
+  Pass(const Film& film, int step)
+      : film_(film),
+        step_(step),
+        sun_range_(step == 1 ? 2 : 0.3F),
+        range_(step == 1 ? 1e9F : 0.3F) {
     across_ = film.ray(1, 0) - film.ray(0, 0);
     down_ = film.ray(0, 1) - film.ray(0, 0);
   }
@@ -20,11 +26,13 @@ class Pass {
   Light at(int x, int row) const {
     const std::size_t i = film_.at(x, row);
     const uint32_t triangle = film_.triangle[i];
-    if (triangle == World::sky) return film_.light[i];
+    const Light& own_light = film_.light[i];
+    if (triangle == World::sky) return own_light;
     const Film::Seen& own = film_.seen[i];
     const Plane plane(film_, own, film_.ray(x, row), across_, down_);
+    const float own_brightness = brightness(own_light);
     Light sum;
-    float weights = 0;
+    float weights = 0, sun_weights = 0;
     for (int dy = -2; dy <= 2; ++dy) {
       const int y = row + dy * step_;
       if (y < 0 || y >= film_.rows) continue;
@@ -38,13 +46,18 @@ class Pass {
         }
         const float weight =
             kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
-        sum.ambient = sum.ambient + film_.light[k].ambient * weight;
-        sum.sun += film_.light[k].sun * weight;
-        weights += weight;
+        const Light& other = film_.light[k];
+        if (std::abs(brightness(other) - own_brightness) <= range_ * own_brightness) {
+          sum.ambient = sum.ambient + other.ambient * weight;
+          weights += weight;
+        }
+        if (std::abs(other.sun - own_light.sun) <= sun_range_) {
+          sum.sun += other.sun * weight;
+          sun_weights += weight;
+        }
       }
     }
-    const float share = 1 / weights;
-    return {sum.ambient * share, with_sun_ ? sum.sun * share : film_.light[i].sun};
+    return {sum.ambient * (1 / weights), sum.sun / sun_weights};
   }
 
  private:
@@ -74,21 +87,20 @@ class Pass {
 
   const Film& film_;
   int step_;
-  bool with_sun_;
+  float sun_range_, range_;
   Float3 across_, down_;
 };
 
 }  // namespace
 
 void smooth_light(Film& film) {
-  // Shadows of the sun are sharp and need little; the soft light of the sky bears much.
-  for (const int step : {1, 2, 4}) {
-    std::vector<Light> smoothed(film.light.size());
-    const Pass pass(film, step, step == 1);
+  // Steps that have no factor in common with the 4 x 4 blocks of Spread.
+  for (const int step : {1, 3, 7}) {
+    const Pass pass(film, step);
     for_each_row(film.rows, film.threads, [&](int row) {
-      for (int x = 0; x < film.width; ++x) smoothed[film.at(x, row)] = pass.at(x, row);
+      for (int x = 0; x < film.width; ++x) film.smoothed[film.at(x, row)] = pass.at(x, row);
     });
-    film.light.swap(smoothed);
+    film.light.swap(film.smoothed);
   }
 }
 

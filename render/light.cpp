@@ -6,7 +6,7 @@ namespace mansard {
 namespace {
 
 constexpr float pi = 3.14159265F;
-constexpr Float3 sun_color{3.35F, 2.85F, 2.20F};
+constexpr Float3 sun_color{3.20F, 2.85F, 2.38F};
 constexpr float sun_disc = 0.022F;  // radius, radians: four times the real one
 
 uint32_t hash(uint32_t x) {
@@ -23,10 +23,16 @@ struct Basis {
   }
 };
 
-/// Within the unit disc.
-Vec2 on_disc(Vec2 square) {
-  const double radius = std::sqrt(square.x), angle = 2 * pi * square.y;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+constexpr std::size_t turns = 1024;
+
+/// Points of the unit circle.
+std::array<Spread::Spot, turns> circle() {
+  std::array<Spread::Spot, turns> spots{};
+  for (std::size_t i = 0; i < turns; ++i) {
+    const double angle = 2 * pi * static_cast<double>(i) / turns;
+    spots[i] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+  }
+  return spots;
 }
 
 /// Off a surface, so that a ray does not meet it again.
@@ -38,22 +44,25 @@ Float3 lifted(Float3 point, Float3 normal) {
 }  // namespace
 
 Float3 sky_light(Float3 direction) {
-  const float height = std::pow(std::max(0.0F, direction.y), 0.55F);
-  return mix({0.86F, 0.93F, 1.02F}, {0.30F, 0.50F, 0.92F}, height);
+  const float height = std::sqrt(std::max(0.0F, direction.y));
+  return mix({0.88F, 0.94F, 1.02F}, {0.36F, 0.54F, 0.92F}, height);
 }
 
 Spread::Spread(int x, int y, int samples) {
   static constexpr std::array<int, 16> order{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
   block_ = hash(static_cast<uint32_t>(x >> 2) + 0x9e3779b9U * hash(static_cast<uint32_t>(y >> 2)));
-  first_ = order[static_cast<std::size_t>((y & 3) * 4 + (x & 3))] * samples;
+  first_ = static_cast<uint32_t>(order[static_cast<std::size_t>((y & 3) * 4 + (x & 3))] * samples);
 }
 
-Vec2 Spread::at(int i, int stream) const {
-  const uint32_t shift = hash(block_ + static_cast<uint32_t>(stream) * 0x68e31da4U);
-  const double n = first_ + i;
-  const double x = (shift & 0xffff) / 65536.0 + n * 0.7548776662466927;
-  const double y = (shift >> 16) / 65536.0 + n * 0.5698402909980532;
-  return {x - std::floor(x), y - std::floor(y)};
+Spread::Spot Spread::on_disc(int i, int stream) const {
+  static const std::array<Spot, turns> directions = circle();
+  // Parts of a whole as 32-bit numbers, which wrap around by themselves.
+  const uint32_t n = first_ + static_cast<uint32_t>(i);
+  const uint32_t x = hash(block_ + static_cast<uint32_t>(stream)) + n * 3242174889U;
+  const uint32_t y = hash(block_ - 1 - static_cast<uint32_t>(stream)) + n * 2447445414U;
+  const float radius = std::sqrt(static_cast<float>(x >> 8) * 0x1p-24F);
+  const Spot direction = directions[y / (0x100000000ULL / turns)];
+  return {radius * direction.x, radius * direction.y};
 }
 
 Lighting::Lighting(const World& world, const Tracer& tracer, Float3 view)
@@ -61,7 +70,7 @@ Lighting::Lighting(const World& world, const Tracer& tracer, Float3 view)
   Float3 level = normalized(Float3{view.x, 0, view.z});
   if (length(level) < 0.5F) level = {0, 0, -1};
   const Float3 left{level.z, 0, -level.x};
-  constexpr float turn = 0.92F, height = 0.72F;  // radians: 53 degrees aside, 41 up
+  constexpr float turn = 1.05F, height = 0.80F;  // radians: 60 degrees aside, 46 up
   sun_ = normalized((left * std::sin(turn) - level * std::cos(turn)) * std::cos(height) +
                     Float3{0, std::sin(height), 0});
   const Basis basis(sun_);
@@ -74,20 +83,21 @@ Light Lighting::gather(Float3 point, Float3 normal, const Spread& spread, int sa
   const Basis basis(normal);
   Light sum;
   for (int i = 0; i < samples; ++i) {
-    // Directions by the cosine to the normal: every one counts the same.
-    const Vec2 square = spread.at(i, 0), disc = on_disc(square);
-    const Float3 direction = basis.x * static_cast<float>(disc.x) +
-                             basis.y * static_cast<float>(disc.y) +
-                             normal * static_cast<float>(std::sqrt(1 - square.x));
+    // Directions by the cosine to the normal (Malley): every one counts the same.
+    const Spread::Spot sky = spread.on_disc(i, 0);
+    const float up = std::sqrt(std::max(0.0F, 1 - sky.x * sky.x - sky.y * sky.y));
+    const Float3 direction = basis.x * sky.x + basis.y * sky.y + normal * up;
     sum.ambient = sum.ambient + radiance(from, direction);
-
-    const Vec2 spot = on_disc(spread.at(i, 1));
-    const Float3 to_sun =
-        sun_ + sun_x_ * static_cast<float>(spot.x) + sun_y_ * static_cast<float>(spot.y);
+  }
+  // The sun is small: half as many do.
+  const int sun_samples = (samples + 1) / 2;
+  for (int i = 0; i < sun_samples; ++i) {
+    const Spread::Spot spot = spread.on_disc(i, 1);
+    const Float3 to_sun = sun_ + sun_x_ * spot.x + sun_y_ * spot.y;
     if (dot(to_sun, normal) > 0 && !tracer_.is_blocked(from, to_sun)) sum.sun += 1;
   }
-  const float share = 1.0F / static_cast<float>(samples);
-  return {sum.ambient * share, sum.sun * share};
+  return {sum.ambient * (1.0F / static_cast<float>(samples)),
+          sum.sun / static_cast<float>(sun_samples)};
 }
 
 Float3 Lighting::radiance(Float3 point, Float3 direction) const {

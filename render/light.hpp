@@ -15,12 +15,15 @@ Float3 sky_light(Float3 direction);
 class Spread {
  public:
   Spread(int x, int y, int samples);
-  /// Two numbers of 0..1 for sample `i`; streams are independent.
-  Vec2 at(int i, int stream) const;
+  struct Spot {
+    float x, y;
+  };
+  /// Evenly spread over the unit disc; streams are independent.
+  Spot on_disc(int i, int stream) const;
 
  private:
   uint32_t block_;
-  int first_;
+  uint32_t first_;
 };
 
 /// What falls on a pixel's surface.

@@ -6,7 +6,7 @@
 namespace mansard {
 namespace {
 
-constexpr Float3 ground_color{0.80F, 0.785F, 0.755F};
+constexpr Float3 ground_color{0.90F, 0.885F, 0.855F};
 /// Metres; what is farther out is taken for an error in the input.
 constexpr float farthest = 1e8F;
 
