@@ -85,6 +85,9 @@ void check_declarations(Linking& linking);
 void check_overriding(Linking& linking);
 void link_start(Linking& linking);
 void link_symbols(Linking& linking);
+/// `asked` is the `abstract` that says how many parameters there are; may be null.
+void check_symbol(Linking& linking, const SymbolRules& symbol,
+                  const Given<syntax::AbstractSymbol>* asked);
 void link_variables(Linking& linking);
 void link_functions(Linking& linking);
 void link_elements(Linking& linking);

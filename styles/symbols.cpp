@@ -1,18 +1,14 @@
 // Rules override by symbol: the productions that one style gives replace all that it inherits.
 
-#include <algorithm>
-#include <set>
-#include <string>
-#include <type_traits>
 #include <utility>
 
-#include "styles/complaint.hpp"
 #include "styles/members.hpp"
 
 namespace mansard {
 
 namespace {
 
+using syntax::AbstractSymbol;
 using syntax::Rule;
 
 std::vector<Generation> generations_of(const Slot<Rule>& slot) {
@@ -28,167 +24,28 @@ std::vector<Generation> generations_of(const Slot<Rule>& slot) {
   return generations;
 }
 
-bool uses_super(const syntax::Body& body);
-
-bool uses_super(const syntax::Part& part) {
-  return uses_super(part.body) ||
-         std::ranges::any_of(part.group, [](const auto& inner) { return uses_super(inner); });
-}
-
-bool uses_super(const syntax::Element& element) {
-  if (std::holds_alternative<syntax::Super>(element.is)) return true;
-  if (const auto* push = std::get_if<syntax::Push>(&element.is)) return uses_super(push->body);
-  if (const auto* branch = std::get_if<syntax::If>(&element.is)) {
-    return std::ranges::any_of(branch->arms, [](const auto& arm) { return uses_super(arm.body); });
-  }
-  const auto& emit = std::get<syntax::Emit>(element.is);
-  return emit.parts && std::ranges::any_of(emit.parts->parts, [](const syntax::Part& part) {
-           return uses_super(part);
-         });
-}
-
-bool uses_super(const syntax::Body& body) {
-  return std::ranges::any_of(body, [](const syntax::Element& e) { return uses_super(e); });
-}
-
-bool uses_super(const Generation& generation) {
-  return std::ranges::any_of(generation.productions,
-                             [](const Rule* rule) { return uses_super(rule->successor); });
-}
-
-bool says_override(const Generation& generation) {
-  return std::ranges::any_of(generation.productions,
-                             [](const Rule* rule) { return bool(rule->pre.override); });
-}
-
-/// Checks one symbol's generations against each other.
-class SymbolCheck {
- public:
-  SymbolCheck(Linking& linking, const SymbolRules& symbol)
-      : linking_(linking), ancestry_(linking.ancestry), symbol_(symbol) {}
-
-  void check() {
-    check_parameters();
-    check_unrelated();
-    check_blocks();
-  }
-
- private:
-  const syntax::Style& style(std::size_t i) const { return *generations()[i].from.style; }
-  const std::vector<Generation>& generations() const { return symbol_.generations; }
-
-  /// The base style decides how many parameters there are.
-  void check_parameters() {
-    const Generation& base = generations().back();
-    const Rule& first = *base.productions.front();
-    for (const Generation& generation : generations()) {
-      const auto other = std::ranges::find_if(generation.productions, [&](const Rule* rule) {
-        return rule->params.size() != first.params.size();
-      });
-      if (other == generation.productions.end()) continue;
-      linking_.diagnostics.add(
-          error((*other)->head,
-                in_quotes(symbol_.name) + " has " + counted((*other)->params.size()) +
-                    " here but " + std::to_string(first.params.size()) + " elsewhere",
-                {{"with " + counted(first.params.size()) + " here", first.head},
-                 while_linking(ancestry_.meeting(*generation.from.style, *base.from.style))},
-                "give all productions of a symbol the same number of parameters"));
+/// An `abstract` without parameters says nothing of how many there are.
+std::unordered_map<std::string_view, const Given<AbstractSymbol>*> asked_with_parameters(
+    const Members& members) {
+  std::unordered_map<std::string_view, const Given<AbstractSymbol>*> asked;
+  for (const auto& slot : members.abstract_symbols) {
+    for (const auto& given : slot.given) {
+      if (!given.dropped && !given.syntax->params.empty()) asked[slot.name] = &given;
     }
   }
-
-  static std::string counted(std::size_t parameters) {
-    return std::to_string(parameters) + (parameters == 1 ? " parameter" : " parameters");
-  }
-
-  /// W003. Goes down as far as `super` does: what it does not reach is hidden from everyone.
-  void check_unrelated() {
-    for (std::size_t i = 0; i < generations().size(); ++i) {
-      const bool asks_on = uses_super(generations()[i]);
-      if (!asks_on && !says_override(generations()[i])) {
-        for (std::size_t j = i + 1; j < generations().size(); ++j) {
-          if (ancestry_.inherits(style(i), style(j)) || settled(i, j)) continue;
-          warn_of_two(i, j);
-          return;
-        }
-      }
-      if (!asks_on) return;
-    }
-  }
-
-  /// An heir of both has the word.
-  bool settled(std::size_t i, std::size_t j) const {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (ancestry_.inherits(style(k), style(i)) && ancestry_.inherits(style(k), style(j))) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  void warn_of_two(std::size_t winner, std::size_t loser) {
-    const auto note = [&](std::size_t i) -> Note {
-      return {"given by " + in_quotes(style(i).name.text) + " here",
-              generations()[i].productions.front()->head};
-    };
-    const syntax::Style& heir = ancestry_.meeting(style(winner), style(loser));
-    linking_.diagnostics.add(warning(
-        "W003", heir.name.at,
-        in_quotes(symbol_.name) + " comes from both " + in_quotes(style(winner).name.text) +
-            " and " + in_quotes(style(loser).name.text) + ", and " +
-            in_quotes(style(winner).name.text) + " wins",
-        {note(winner), note(loser), while_linking(heir)},
-        "give " + in_quotes(symbol_.name) + " in " + in_quotes(heir.name.text) +
-            ", or mark the rule of " + in_quotes(style(winner).name.text) + " with override"));
-  }
-
-  /// W004: the variables of the one block no longer shape the symbol, those of the other do.
-  void check_blocks() {
-    for (std::size_t i = 0; i + 1 < generations().size(); ++i) {
-      const Generation* inherited = nullptr;
-      std::set<std::string_view> homes;
-      for (std::size_t j = i + 1; j < generations().size(); ++j) {
-        if (!ancestry_.inherits(style(i), style(j))) continue;
-        if (!inherited) inherited = &generations()[j];
-        for (const Origin& origin : generations()[j].origins) homes.insert(origin.block->name.text);
-      }
-      if (inherited) check_blocks(generations()[i], *inherited, homes);
-    }
-  }
-
-  void check_blocks(const Generation& heir, const Generation& inherited,
-                    const std::set<std::string_view>& homes) {
-    for (std::size_t k = 0; k < heir.productions.size(); ++k) {
-      const std::string_view block = heir.origins[k].block->name.text;
-      if (homes.contains(block)) continue;
-      warn_of_block(*heir.productions[k], block, *heir.from.style, inherited);
-      return;
-    }
-  }
-
-  void warn_of_block(const Rule& rule, std::string_view block, const syntax::Style& style,
-                     const Generation& inherited) {
-    const std::string_view home = inherited.from.block->name.text;
-    linking_.diagnostics.add(warning(
-        "W004", rule.name.at,
-        in_quotes(symbol_.name) + " is a rule of block " + in_quotes(home) +
-            " and is overridden in block " + in_quotes(block),
-        {{"inherited from here", inherited.productions.front()->head}, while_linking(style)},
-        "move it into " + in_quotes(home)));
-  }
-
-  Linking& linking_;
-  const Ancestry& ancestry_;
-  const SymbolRules& symbol_;
-};
+  return asked;
+}
 
 }  // namespace
 
 void link_symbols(Linking& linking) {
   LinkedStyle& result = linking.result;
+  const auto asked = asked_with_parameters(linking.members);
   for (const Slot<Rule>& slot : linking.members.symbols) {
     SymbolRules symbol{slot.name, generations_of(slot)};
     if (symbol.generations.empty()) continue;
-    SymbolCheck(linking, symbol).check();
+    const auto found = asked.find(slot.name);
+    check_symbol(linking, symbol, found == asked.end() ? nullptr : found->second);
     result.symbol_index.emplace(slot.name, result.symbols.size());
     result.symbols.push_back(std::move(symbol));
   }
