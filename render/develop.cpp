@@ -28,8 +28,10 @@ float tone(float light) {
 Float3 toned(Float3 light) {
   const float brightness = dot(light, {0.2126F, 0.7152F, 0.0722F});
   if (!(brightness > 0)) return {};
-  const Float3 same_hue = light * (tone(brightness) / brightness);
-  return mix({tone(light.x), tone(light.y), tone(light.z)}, same_hue, 0.5F);
+  const float grey = tone(brightness);
+  const Float3 same_hue = light * (grey / brightness);
+  const Float3 color = mix({tone(light.x), tone(light.y), tone(light.z)}, same_hue, 0.5F);
+  return mix(color, {grey, grey, grey}, 0.10F);
 }
 
 uint8_t srgb(float linear) {
@@ -46,7 +48,7 @@ float haze_at(const Film& film, const World& world, std::size_t i, Float3 point)
   if (film.triangle[i] == World::ground) return smooth_step(2 * reach, 14 * reach, away);
   const float nearest = std::max(150.0F, length(film.lens.eye - world.middle()) - reach);
   const float beyond = std::max(0.0F, length(point - film.lens.eye) - nearest);
-  return 0.6F * (1 - std::exp(-beyond / std::max(1500.0F, 6 * reach)));
+  return 0.45F * (1 - std::exp(-beyond / std::max(1500.0F, 6 * reach)));
 }
 
 Float3 finished(const Film& film, const World& world, const Lighting& lighting, int x, int row) {

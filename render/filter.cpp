@@ -10,85 +10,64 @@ constexpr std::array<float, 5> kernel{0.25F, 0.9F, 1.0F, 0.9F, 0.25F};
 
 float brightness(const Light& light) { return light.ambient.x + light.ambient.y + light.ambient.z; }
 
-/// One pass of the à-trous filter (Dammertz et al. 2010), with `step` samples between taps, over
-/// samples of the same plane. Wide passes leave out taps that differ much: edges of shadows.
+/// Half a pass of the à-trous filter (Dammertz et al. 2010): along rows or columns, with `step`
+/// samples between taps, over samples of the same plane. Wide passes leave out taps that differ
+/// much: edges of shadows.
 class Pass {
  public:
-  Pass(const Film& film, int step)
+  enum class Along : uint8_t { rows, columns };
+
+  Pass(const Film& film, int step, Along along)
       : film_(film),
-        step_(step),
+        dx_(along == Along::rows ? step : 0),
+        dy_(along == Along::rows ? 0 : step),
         sun_range_(step == 1 ? 2 : 0.3F),
-        range_(step == 1 ? 1e9F : 0.3F) {
-    across_ = film.ray(1, 0) - film.ray(0, 0);
-    down_ = film.ray(0, 1) - film.ray(0, 0);
-  }
+        range_(step == 1 ? 1e9F : 0.3F),
+        turn_(film.ray(dx_, dy_) - film.ray(0, 0)) {}
 
   Light at(int x, int row) const {
     const std::size_t i = film_.at(x, row);
     const uint32_t triangle = film_.triangle[i];
-    const Light& own_light = film_.light[i];
-    if (triangle == World::sky) return own_light;
-    const Film::Seen& own = film_.seen[i];
-    const Plane plane(film_, own, film_.ray(x, row), across_, down_);
-    const float own_brightness = brightness(own_light);
+    const Light own = film_.light[i];
+    if (triangle == World::sky) return own;
+    const float own_brightness = brightness(own), range = range_ * own_brightness;
+    // The picture's border cuts taps off.
+    const int place = dx_ > 0 ? x : row, size = dx_ > 0 ? film_.width : film_.rows;
+    const int step = dx_ + dy_, stride = dx_ + dy_ * film_.width;
     Light sum;
     float weights = 0, sun_weights = 0;
-    for (int dy = -2; dy <= 2; ++dy) {
-      const int y = row + dy * step_;
-      if (y < 0 || y >= film_.rows) continue;
-      for (int dx = -2; dx <= 2; ++dx) {
-        const int other_x = x + dx * step_;
-        if (other_x < 0 || other_x >= film_.width) continue;
-        const std::size_t k = film_.at(other_x, y);
-        if (film_.triangle[k] != triangle &&
-            !is_alike(own, film_.seen[k], plane, film_.triangle[k], dx, dy)) {
-          continue;
-        }
-        const float weight =
-            kernel[static_cast<std::size_t>(dx + 2)] * kernel[static_cast<std::size_t>(dy + 2)];
-        const Light& other = film_.light[k];
-        if (std::abs(brightness(other) - own_brightness) <= range_ * own_brightness) {
-          sum.ambient = sum.ambient + other.ambient * weight;
-          weights += weight;
-        }
-        if (std::abs(other.sun - own_light.sun) <= sun_range_) {
-          sum.sun += other.sun * weight;
-          sun_weights += weight;
-        }
+    for (int tap = -std::min(2, place / step); tap <= 2 && place + tap * step < size; ++tap) {
+      const std::size_t k = i + static_cast<std::size_t>(tap * stride);
+      if (film_.triangle[k] != triangle && !is_in_plane(x, row, i, k, tap)) continue;
+      const float weight = kernel[static_cast<std::size_t>(tap + 2)];
+      const Light& other = film_.light[k];
+      if (std::abs(brightness(other) - own_brightness) <= range) {
+        sum.ambient = sum.ambient + other.ambient * weight;
+        weights += weight;
+      }
+      if (std::abs(other.sun - own.sun) <= sun_range_) {
+        sum.sun += other.sun * weight;
+        sun_weights += weight;
       }
     }
     return {sum.ambient * (1 / weights), sum.sun / sun_weights};
   }
 
  private:
-  /// Distances of other samples' points to a sample's plane: linear in their place on the film.
-  struct Plane {
-    float eye, here, across, down, slack;
-    Plane(const Film& film, const Film::Seen& own, Float3 ray, Float3 right, Float3 below)
-        : eye(0),
-          here(dot(own.normal, ray)),
-          across(dot(own.normal, right)),
-          down(dot(own.normal, below)),
-          slack(0.004F + 0.5F * film.pixel * own.depth) {
-      eye = -own.depth * here;
-    }
-    float distance(const Film::Seen& other, float dx, float dy) const {
-      return eye + other.depth * (here + dx * across + dy * down);
-    }
-  };
-
-  bool is_alike(const Film::Seen& own, const Film::Seen& other, const Plane& plane,
-                uint32_t triangle, int dx, int dy) const {
-    if (triangle == World::sky || dot(own.normal, other.normal) < 0.96F) return false;
-    const auto step = static_cast<float>(step_);
-    return std::abs(plane.distance(other, step * static_cast<float>(dx),
-                                   step * static_cast<float>(dy))) < plane.slack;
+  bool is_in_plane(int x, int row, std::size_t i, std::size_t k, int tap) const {
+    if (film_.triangle[k] == World::sky) return false;
+    const Film::Seen &own = film_.seen[i], &other = film_.seen[k];
+    if (dot(own.normal, other.normal) < 0.96F) return false;
+    const Float3 ray = film_.ray(x, row);
+    const Float3 between = (ray + turn_ * static_cast<float>(tap)) * other.depth - ray * own.depth;
+    const float slack = 0.004F + 0.5F * film_.pixel * own.depth;
+    return std::abs(dot(own.normal, between)) < slack;
   }
 
   const Film& film_;
-  int step_;
+  int dx_, dy_;
   float sun_range_, range_;
-  Float3 across_, down_;
+  Float3 turn_;  ///< of the ray, from tap to tap
 };
 
 }  // namespace
@@ -96,11 +75,13 @@ class Pass {
 void smooth_light(Film& film) {
   // Steps that have no factor in common with the 4 x 4 blocks of Spread.
   for (const int step : {1, 3, 7}) {
-    const Pass pass(film, step);
-    for_each_row(film.rows, film.threads, [&](int row) {
-      for (int x = 0; x < film.width; ++x) film.smoothed[film.at(x, row)] = pass.at(x, row);
-    });
-    film.light.swap(film.smoothed);
+    for (const Pass::Along along : {Pass::Along::rows, Pass::Along::columns}) {
+      const Pass pass(film, step, along);
+      for_each_row(film.rows, film.threads, [&](int row) {
+        for (int x = 0; x < film.width; ++x) film.smoothed[film.at(x, row)] = pass.at(x, row);
+      });
+      film.light.swap(film.smoothed);
+    }
   }
 }
 

@@ -89,8 +89,8 @@ Light Lighting::gather(Float3 point, Float3 normal, const Spread& spread, int sa
     const Float3 direction = basis.x * sky.x + basis.y * sky.y + normal * up;
     sum.ambient = sum.ambient + radiance(from, direction);
   }
-  // The sun is small: half as many do.
-  const int sun_samples = (samples + 1) / 2;
+  // The sun is small: fewer do.
+  const int sun_samples = (2 * samples + 2) / 3;
   for (int i = 0; i < sun_samples; ++i) {
     const Spread::Spot spot = spread.on_disc(i, 1);
     const Float3 to_sun = sun_ + sun_x_ * spot.x + sun_y_ * spot.y;
@@ -103,7 +103,7 @@ Light Lighting::gather(Float3 point, Float3 normal, const Spread& spread, int sa
 Float3 Lighting::radiance(Float3 point, Float3 direction) const {
   const Hit hit = tracer_.hit(point, direction);
   if (hit.is_sky()) return sky_light(direction);
-  Light light{sky_light(hit.normal) * 0.5F, 0};
+  Light light{sky_light(hit.normal) * 0.6F, 0};
   if (dot(hit.normal, sun_) > 0) {
     const Float3 at = lifted(point + direction * hit.t, hit.normal);
     light.sun = tracer_.is_blocked(at, sun_) ? 0.0F : 1.0F;
@@ -114,7 +114,7 @@ Float3 Lighting::radiance(Float3 point, Float3 direction) const {
 
 Float3 Lighting::reflected(Float3 color, Float3 normal, const Light& light) const {
   const float toward = std::max(0.0F, dot(normal, sun_));
-  return color * (light.ambient + sun_color * (light.sun * toward)) * 0.75F;
+  return color * (light.ambient * 1.12F + sun_color * (light.sun * toward)) * 0.75F;
 }
 
 }  // namespace mansard
