@@ -77,25 +77,31 @@ Lens aim_iso(const World& world, float aspect) {
       tangent, aspect);
 }
 
-/// Level, the horizon low in the picture; nearest place from which nothing is cut off.
+/// Level, at the height of a person's eyes; the nearest place from which nothing is cut off. The
+/// film is shifted up, at most until the horizon lies at a quarter of the picture's height.
 Lens aim_at_front(const World& world, double field_of_view, float aspect) {
   const Float3 size = world.high - world.low;
   const Axes axes(looking(size.x >= size.z ? 20 : 70, 0));
-  const float tangent = std::tan(radians(field_of_view) / 2);
+  float tangent = std::tan(radians(field_of_view) / 2);
+  const float top = 1.5F * tangent / margin, bottom = 0.5F * tangent / margin;
   const Fit sideways = fit(world, axes, axes.right, tangent * aspect / margin);
-
-  // The film is shifted up, at most until the horizon lies at a quarter of the picture's height.
-  const float most_shift = 0.5F * tangent, top = (most_shift + tangent) / margin;
   const float behind_top =
       support(world, [&](Float3 p) { return (p.y - eye_height) - dot(p, axes.forward) * top; });
-  const float depth = std::min(sideways.depth, -behind_top / top);
-  const auto slope = [&](Float3 p) {
-    return (p.y - eye_height) / std::max(0.1F, dot(p, axes.forward) - depth);
-  };
-  const float highest = support(world, slope),
-              lowest = -support(world, [&](Float3 p) { return -slope(p); });
+  const float behind_bottom =
+      support(world, [&](Float3 p) { return (eye_height - p.y) - dot(p, axes.forward) * bottom; });
+  const float depth = std::min({sideways.depth, -behind_top / top, -behind_bottom / bottom});
+
+  // How far up, down and aside the scene reaches from there; a small one is brought nearer.
+  const auto away = [&](Float3 p) { return dot(p, axes.forward) - depth; };
+  const float up = support(world, [&](Float3 p) { return (p.y - eye_height) / away(p); });
+  const float down = support(world, [&](Float3 p) { return (eye_height - p.y) / away(p); });
+  const float aside = support(
+      world, [&](Float3 p) { return std::abs(dot(p, axes.right) - sideways.across) / away(p); });
+  tangent = std::min(tangent, margin * std::max((up + down) / 2, aside / aspect));
+
   // The scene lies a little below the middle: more sky than ground.
-  const float shift = std::clamp((highest + lowest) / 2 + 0.13F * tangent, 0.0F, most_shift);
+  const float least = up - tangent / margin, most = tangent / margin - down;
+  const float shift = std::max(least, std::min(most, (up - down) / 2 + 0.13F * tangent));
   Float3 eye = axes.world({sideways.across, 0, depth});
   eye.y = eye_height;
   return lens(eye, axes, tangent, aspect, shift);

@@ -1,0 +1,286 @@
+#include "render/picture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "render/film.hpp"
+#include "render/png.hpp"
+
+namespace mansard {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_quad(Surface& surface, Vec3 a, Vec3 b, Vec3 c, Vec3 d, uint32_t material) {
+  surface.points.insert(surface.points.end(), {a, b, c, d});
+  surface.uvs.insert(surface.uvs.end(), {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  surface.ends.push_back(static_cast<uint32_t>(surface.points.size()));
+  surface.normals.push_back(normalized(cross(b - a, c - a)));
+  surface.runs.push_back({0, material, static_cast<uint32_t>(surface.ends.size())});
+}
+
+/// A box from the origin to `size`; its front looks to +z.
+Surface box(Vec3 size, uint32_t material = 0) {
+  const double x = size.x, y = size.y, z = size.z;
+  Surface surface;
+  add_quad(surface, {0, 0, z}, {x, 0, z}, {x, y, z}, {0, y, z}, material);
+  add_quad(surface, {x, 0, z}, {x, 0, 0}, {x, y, 0}, {x, y, z}, material);
+  add_quad(surface, {x, 0, 0}, {0, 0, 0}, {0, y, 0}, {x, y, 0}, material);
+  add_quad(surface, {0, 0, 0}, {0, 0, z}, {0, y, z}, {0, y, 0}, material);
+  add_quad(surface, {0, y, z}, {x, y, z}, {x, y, 0}, {0, y, 0}, material);
+  return surface;
+}
+
+Scene box_scene(Vec3 size, Paint paint = {}) {
+  Scene scene;
+  scene.paints.push_back(paint);
+  scene.add(box(size));
+  return scene;
+}
+
+PictureOptions small(int width = 96, int height = 64) {
+  PictureOptions options;
+  options.width = width;
+  options.height = height;
+  options.threads = 2;
+  return options;
+}
+
+PictureOptions from(Vec3 eye, Vec3 target) {
+  PictureOptions options = small();
+  options.camera = {Camera::View::free, eye, target, 35};
+  return options;
+}
+
+using Color = std::array<int, 3>;
+
+/// The mean of 3 x 3 pixels about a place given in parts of the picture, from the top left.
+Color color_at(const Picture& picture, double x, double y) {
+  const int px = std::clamp(static_cast<int>(x * picture.width), 1, picture.width - 2);
+  const int py = std::clamp(static_cast<int>(y * picture.height), 1, picture.height - 2);
+  Color sum{};
+  for (int k = 0; k < 9; ++k) {
+    const int at = (py - 1 + k / 3) * picture.width + px - 1 + k % 3;
+    for (int c = 0; c < 3; ++c) sum[c] += picture.rgb[static_cast<std::size_t>(3 * at + c)];
+  }
+  for (int& c : sum) c /= 9;
+  return sum;
+}
+
+int brightness(Color c) { return c[0] + c[1] + c[2]; }
+
+fs::path scratch(const std::string& name) {
+  const fs::path folder = fs::temp_directory_path() / "mansard_test_render";
+  fs::create_directories(folder);
+  return folder / name;
+}
+
+}  // namespace
+
+TEST_CASE("any number of threads gives the same bytes") {
+  Scene scene = box_scene({9, 6, 5});
+  scene.paints.push_back({{0.2, 0.3, 0.4}, true, ""});
+  Surface panes;
+  add_quad(panes, {2, 2, 5}, {4, 2, 5}, {4, 4, 5}, {2, 4, 5}, 1);  // in the plane of the wall
+  scene.add(panes);
+  for (const Camera::View view : {Camera::View::iso, Camera::View::street}) {
+    PictureOptions options = small();
+    options.camera.view = view;
+    options.threads = 1;
+    const Picture one = render(scene, options);
+    for (const int threads : {2, 5, 0}) {
+      options.threads = threads;
+      CHECK(render(scene, options).rgb == one.rgb);
+    }
+  }
+}
+
+TEST_CASE("a picture made in bands has no seams") {
+  const PictureOptions options = small();
+  const World world(box_scene({9, 6, 5}));
+  const Tracer tracer(world);
+  const Lens lens = aim(world, tracer, options);
+  const Lighting lighting(world, tracer, lens.forward);
+  const auto made = [&](int top, int rows) {
+    Film film(options, lens, top, rows);
+    expose(film, world, tracer, lighting, 2);
+    smooth_light(film);
+    draw_ink(film, world);
+    return film;
+  };
+  const Film whole = made(0, 128), band = made(60 - film_border, 8 + 2 * film_border);
+  for (int row = 60; row < 68; ++row) {
+    for (int x = 0; x < whole.width; ++x) {
+      const std::size_t i = whole.at(x, row), k = band.at(x, row - band.top);
+      CHECK(whole.light[i].sun == band.light[k].sun);
+      CHECK(whole.light[i].ambient.x == band.light[k].ambient.x);
+      CHECK(whole.ink[i] == band.ink[k]);
+    }
+  }
+}
+
+TEST_CASE("an empty scene is ground and sky") {
+  PictureOptions options = small();
+  options.camera.view = Camera::View::street;
+  const Picture picture = render({}, options);
+  REQUIRE(picture.rgb.size() == std::size_t{3} * 96 * 64);
+  const Color sky = color_at(picture, 0.5, 0.05), ground = color_at(picture, 0.5, 0.95);
+  CHECK(sky[2] > sky[0] + 8);
+  CHECK(ground[0] >= ground[2]);
+  CHECK(brightness(ground) > 600);
+  options.camera.view = Camera::View::iso;
+  CHECK(render({}, options).rgb.size() == picture.rgb.size());
+}
+
+TEST_CASE("sizes that are no picture give none") {
+  for (const auto& [width, height] : {std::pair{0, 10}, {10, 0}, {-5, 5}, {1 << 20, 1 << 20}}) {
+    CHECK(render({}, small(width, height)).rgb.empty());
+  }
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 7}, {7, 1}}) {
+    CHECK(render(box_scene({1, 1, 1}), small(width, height)).rgb.size() ==
+          static_cast<std::size_t>(3 * width * height));
+  }
+}
+
+TEST_CASE("a box casts a shadow on the ground") {
+  // Seen from the front the sun stands left, so the shadow falls to the right and behind.
+  const Picture picture = render(box_scene({6, 8, 6}), from({3, 26, 30}, {3, 0, 0}));
+  const Color lit = color_at(picture, 0.12, 0.55), shaded = color_at(picture, 0.70, 0.42);
+  CHECK(brightness(lit) > 600);
+  CHECK(brightness(shaded) < brightness(lit) - 100);
+  CHECK(shaded[2] > shaded[0]);  // and it is bluish
+}
+
+TEST_CASE("paint shows its colour, glass the sky") {
+  const PictureOptions front = from({3, 3, 30}, {3, 3, 0});
+  const Color red =
+      color_at(render(box_scene({6, 6, 6}, {{0.5, 0.05, 0.05}, false, ""}), front), 0.5, 0.5);
+  CHECK(red[0] > 2 * red[1]);
+  CHECK(red[0] > 120);
+  const Paint dark{{0.02, 0.02, 0.02}, false, ""}, pane{{0.02, 0.02, 0.02}, true, ""};
+  const Color wall = color_at(render(box_scene({6, 6, 6}, dark), front), 0.5, 0.5);
+  const Color glass = color_at(render(box_scene({6, 6, 6}, pane), front), 0.5, 0.5);
+  CHECK(brightness(glass) > brightness(wall) + 60);
+  CHECK(glass[2] > glass[0]);
+}
+
+TEST_CASE("edges are inked, and less so far away") {
+  const Picture near = render(box_scene({5, 6, 5}), from({11, 3, 11}, {5, 3, 5}));
+  const Picture far = render(box_scene({5, 6, 5}), from({405, 3, 405}, {5, 3, 5}));
+  const auto least = [](const Picture& picture) {
+    int found = 1000;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+      found = std::min(found, picture.rgb[i] + picture.rgb[i + 1] + picture.rgb[i + 2]);
+    }
+    return found;
+  };
+  CHECK(least(near) < 400);
+  CHECK(least(near) < least(far) - 60);
+}
+
+TEST_CASE("of surfaces in one plane always the same is seen") {
+  Scene scene = box_scene({6, 6, 6});
+  scene.paints = {{{0.6, 0.1, 0.1}, false, ""}, {{0.1, 0.6, 0.1}, false, ""}, {}};
+  Surface other;  // the back of a wall in the front's plane, then a front in it
+  add_quad(other, {6, 0, 6}, {0, 0, 6}, {0, 6, 6}, {6, 6, 6}, 2);
+  add_quad(other, {-1, -1, 6}, {8, -1, 6}, {8, 7, 6}, {-1, 7, 6}, 1);
+  scene.add(other);
+  const Picture picture = render(scene, from({3, 3, 30}, {3, 3, 6}));
+  for (int y = 16; y < 48; ++y) {
+    for (int x = 32; x < 64; ++x) {
+      const std::size_t i = static_cast<std::size_t>(3 * (y * 96 + x));
+      CHECK(picture.rgb[i + 1] > picture.rgb[i] + 40);
+    }
+  }
+}
+
+TEST_CASE("triangles that are none are left out") {
+  const Scene clean = box_scene({6, 6, 6});
+  Scene dirty = clean;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const std::array<float, 9>& t : {std::array<float, 9>{nan, 0, 0, 1, 0, 0, 0, 1, 0},
+                                        {0, 0, 0, infinite, 0, 0, 0, 1, 0},
+                                        {0, 0, 0, 1e30F, 0, 0, 0, 1e30F, 0},
+                                        {3, 3, 3, 3, 3, 3, 3, 3, 3},
+                                        {0, 9, 0, 1, 9, 0, 2, 9, 0}}) {
+    dirty.points.insert(dirty.points.end(), t.begin(), t.end());
+    dirty.uvs.insert(dirty.uvs.end(), 6, nan);
+    dirty.paint.push_back(0);
+    dirty.face.push_back(0);
+  }
+  CHECK(render(dirty, small()).rgb == render(clean, small()).rgb);
+}
+
+TEST_CASE("a scene with missing parts does not crash") {
+  Scene scene = box_scene({6, 6, 6}, {{0.5, 0.5, 0.5}, false, "no such picture.png"});
+  scene.paint.assign(scene.paint.size(), 77);
+  CHECK_FALSE(render(scene, small()).rgb.empty());
+  scene.paint.clear();
+  scene.face.clear();
+  scene.uvs.clear();
+  scene.paints.clear();
+  scene.points.pop_back();
+  CHECK_FALSE(render(scene, small()).rgb.empty());
+  scene.paints = {{{std::numeric_limits<double>::quiet_NaN(), -3, 1e9}, false, ""}};
+  CHECK_FALSE(render(scene, small()).rgb.empty());
+  Surface odd = box({2, 2, 2});
+  odd.uvs.clear();
+  odd.runs.back().end = 1000;
+  scene.add(odd);
+  CHECK_FALSE(render(scene, small()).rgb.empty());
+}
+
+TEST_CASE("far from zero a building looks as near it") {
+  Scene near = box_scene({6, 6, 6}), far = near;
+  for (std::size_t i = 0; i < far.points.size(); i += 3) {
+    far.points[i] += 500000;
+    far.points[i + 2] -= 700000;
+  }
+  CHECK(render(far, small()).rgb == render(near, small()).rgb);
+}
+
+TEST_CASE("a texture shows, the right way up; a missing one is the plain colour") {
+  // Red above, blue below.
+  Picture flag{2, 2, {200, 20, 20, 200, 20, 20, 20, 20, 200, 20, 20, 200}};
+  const fs::path path = scratch("flag.png");
+  REQUIRE(write_png(flag, path.string()));
+  const PictureOptions front = from({3, 3, 30}, {3, 3, 0});
+  const Picture picture = render(box_scene({6, 6, 6}, {{0, 1, 0}, false, path.string()}), front);
+  const Color upper = color_at(picture, 0.5, 0.40), lower = color_at(picture, 0.5, 0.62);
+  CHECK(upper[0] > upper[2] + 60);
+  CHECK(lower[2] > lower[0] + 60);
+  const Color plain =
+      color_at(render(box_scene({6, 6, 6}, {{0.05, 0.6, 0.05}, false, path.string() + "x"}), front),
+               0.5, 0.5);
+  CHECK(plain[1] > plain[0] + 60);
+}
+
+TEST_CASE("a PNG is written whole or not at all") {
+  const Picture picture{3, 2, {0, 1, 2, 3, 4, 5, 6, 7, 8, 255, 254, 253, 100, 0, 9, 1, 1, 1}};
+  const fs::path path = scratch("whole.png");
+  REQUIRE(write_png(picture, path.string()));
+  const Picture back = read_picture(path.string());
+  CHECK(back.width == 3);
+  CHECK(back.height == 2);
+  CHECK(back.rgb == picture.rgb);
+
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& file : fs::directory_iterator(path.parent_path())) {
+    files += file.path().extension() == ".part" ? 1 : 0;
+  }
+  CHECK(files == 0);
+  CHECK_FALSE(write_png(picture, scratch("no/such/folder.png").string()));
+  CHECK_FALSE(write_png({}, scratch("empty.png").string()));
+  CHECK_FALSE(write_png({3, 2, {1, 2, 3}}, scratch("short.png").string()));
+  CHECK_FALSE(fs::exists(scratch("short.png")));
+  std::ofstream(scratch("broken.png")) << "this is no picture";
+  CHECK(read_picture(scratch("broken.png").string()).rgb.empty());
+}
+
+}  // namespace mansard
