@@ -162,38 +162,58 @@ void drop_stray_holes(Cleaned& cleaned) {
   cleaned = std::move(kept);
 }
 
-uint32_t ring_begin_of(const Polygon& polygon, uint32_t point, uint32_t* end) {
-  std::size_t r = 0;
-  while (point >= polygon.ring_ends[r]) ++r;
-  *end = polygon.ring_ends[r];
-  return polygon.ring_begin(r);
+struct Corners {
+  std::vector<uint32_t> before, after, ring;  // of each point
+};
+
+Corners corners_of(const Polygon& polygon) {
+  const std::size_t n = polygon.points.size();
+  Corners corners{std::vector<uint32_t>(n), std::vector<uint32_t>(n), std::vector<uint32_t>(n)};
+  for (uint32_t r = 0; r < polygon.rings(); ++r) {
+    const uint32_t begin = polygon.ring_begin(r), end = polygon.ring_ends[r];
+    for (uint32_t i = begin; i < end; ++i) {
+      corners.ring[i] = r;
+      corners.after[i] = i + 1 == end ? begin : i + 1;
+      corners.before[corners.after[i]] = i;
+    }
+  }
+  return corners;
 }
 
-struct Neighbours {
-  Vec2 before, at, after;
-};
-Neighbours neighbours(const Polygon& polygon, uint32_t i) {
-  uint32_t end = 0;
-  const uint32_t begin = ring_begin_of(polygon, i, &end);
-  return {polygon.points[i == begin ? end - 1 : i - 1], polygon.points[i],
-          polygon.points[i + 1 == end ? begin : i + 1]};
+// Whether the polygon lies between a point and the edge it touches, and not the outside.
+bool pinched(const Polygon& polygon, const Corners& corners, const Contact& contact) {
+  const uint32_t p = contact.point, from = contact.edge, to = corners.after[contact.edge];
+  if (corners.ring[p] != corners.ring[from]) return true;
+  const auto at = [&](uint32_t i) { return polygon.points[i]; };
+  const auto left_of_edge = [&](uint32_t i, Vec2 d) {
+    return cross(at(corners.after[i]) - at(i), d) > 0;
+  };
+  const Vec2 arm = at(corners.after[p]) - at(p);
+  for (const uint32_t q : {from, to}) {
+    if (length(at(q) - at(p)) > 1e-3) continue;
+    const uint32_t before = corners.before[q];
+    const bool convex = left_of_edge(before, at(corners.after[q]) - at(q));
+    const bool left1 = left_of_edge(before, arm), left2 = left_of_edge(q, arm);
+    return convex ? left1 && left2 : left1 || left2;
+  }
+  return left_of_edge(from, arm);
 }
 
 // Where the polygon is pinched to nothing between a point and an edge, the point moves outwards;
 // where two parts of its outline touch from outside, inwards. Either opens a gap of about `part`.
 void move_apart(Polygon& polygon, const std::vector<Contact>& touching, double part) {
   const Polygon old = polygon;
+  const Corners corners = corners_of(old);
   std::vector<char> moved(old.points.size(), 0);
   for (const Contact& contact : touching) {
-    if (moved[contact.point]) continue;
-    moved[contact.point] = 1;
-    const Neighbours p = neighbours(old, contact.point);
-    const Vec2 n1 = left_of(normalized(p.at - p.before)), n2 = left_of(normalized(p.after - p.at));
+    const uint32_t i = contact.point;
+    if (moved[i]) continue;
+    moved[i] = 1;
+    const Vec2 p = old.points[i];
+    const Vec2 n1 = left_of(normalized(p - old.points[corners.before[i]]));
+    const Vec2 n2 = left_of(normalized(old.points[corners.after[i]] - p));
     const Vec2 inwards = normalized(n1 + n2);
-    const Vec2 edge_from = old.points[contact.edge], edge_to = neighbours(old, contact.edge).after;
-    const Vec2 middle = mix(p.before, p.after, 0.5);
-    const bool pinched = cross(edge_to - edge_from, middle - edge_from) > 0;
-    polygon.points[contact.point] = p.at + inwards * (pinched ? -part : part);
+    polygon.points[i] = p + inwards * (pinched(old, corners, contact) ? -part : part);
   }
 }
 
@@ -215,6 +235,7 @@ std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& toler
     const std::vector<Contact> touching = contacts(cleaned.polygon, tolerance.gap);
     if (touching.empty()) return cleaned;
     move_apart(cleaned.polygon, touching, tolerance.part);
+    cleaned.moved = true;
   }
   return std::nullopt;
 }

@@ -22,6 +22,7 @@ struct CleanTolerance {
 struct Cleaned {
   Polygon polygon;              ///< simple, oriented; an edge has the tag of its longest part
   std::vector<uint32_t> edges;  ///< for each edge: the number of its longest part in the original
+  bool moved = false;           ///< points were moved since the polygon touched itself
 };
 
 /// nullopt when nothing with an area is left, or when the rings still cross.

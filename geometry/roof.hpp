@@ -17,8 +17,8 @@ enum class RoofPart : uint8_t { slope, gable, top, soffit, fascia, parapet };
 
 struct RoofOptions {
   RoofKind kind = RoofKind::hip;
-  double pitch = 35;        ///< degrees, 0 < pitch < 89
-  double height = 0;        ///< metres to the highest point; used instead of pitch when positive
+  double pitch = 35;  ///< degrees, 0 < pitch < 89
+  double height = 0;  ///< metres to the highest point; used instead of pitch when positive
   /// Metres, horizontal, at eaves and gables; not at gables over party walls, where the neighbour
   /// stands. Corners go only a share of the way where they would meet other eaves.
   double overhang = 0;

@@ -82,6 +82,7 @@ Roof flat_roof(const Polygon& polygon, const RoofOptions& options) {
   const bool slab = options.overhang > 0, parapet = options.parapet > 0;
   std::optional<Cleaned> cleaned;
   if (slab || parapet) cleaned = clean(polygon, {});
+  if (cleaned && cleaned->moved) roof.fallback = 2;
   Polygon outline = cleaned ? std::move(cleaned->polygon) : polygon;
   double up = 0;
   if (cleaned && slab) up = add_slab(roof, outline, options);

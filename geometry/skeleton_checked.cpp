@@ -10,7 +10,8 @@
 namespace mansard {
 namespace {
 
-constexpr double weld_distance = 1e-4;  // metres
+constexpr double weld_distance = 1e-5;  // metres
+constexpr double settle_distance = 1e-3;
 
 // -1 .. 1 from the number of a point, the same on every machine (splitmix64).
 double hashed(uint64_t number) {
@@ -101,12 +102,14 @@ std::vector<std::pair<uint32_t, uint32_t>> walls_at_nodes(const SkeletonMesh& me
   return pairs;
 }
 
-// One step of least squares from `node` to the point at equal distance from its walls: the step
-// solves sum(a a^T) d = -sum(a r), with a = (n, -1) and r the residual of each wall.
+// One step of least squares from `node` to the point at equal distance from its walls: it solves
+// (sum(a a^T) + damping) d = -sum(a r), with a = (n, -1) and r the residual of each wall. Damped
+// (Levenberg 1944), so that a node between walls along one line stays where it is along its ridge.
 Vec3 step_to_walls(Vec3 node, Vec2 origin, const std::vector<WallLine>& lines,
                    const std::pair<uint32_t, uint32_t>* begin,
                    const std::pair<uint32_t, uint32_t>* end) {
-  Vec3 rows[3] = {}, right;
+  constexpr double damping = 1e-6;
+  Vec3 rows[3] = {{damping, 0, 0}, {0, damping, 0}, {0, 0, damping}}, right;
   for (auto pair = begin; pair != end; ++pair) {
     const WallLine& line = lines[pair->second];
     const Vec3 a{line.normal.x, line.normal.y, -1};
@@ -117,7 +120,6 @@ Vec3 step_to_walls(Vec3 node, Vec2 origin, const std::vector<WallLine>& lines,
     right = right + a * -r;
   }
   const double determinant = dot(rows[0], cross(rows[1], rows[2]));
-  if (std::abs(determinant) < 1e-9) return {};
   return {dot(right, cross(rows[1], rows[2])) / determinant,
           dot(rows[0], cross(right, rows[2])) / determinant,
           dot(rows[0], cross(rows[1], right)) / determinant};
@@ -139,8 +141,10 @@ void settle(SkeletonMesh& mesh, const Polygon& polygon) {
     std::size_t j = i;
     while (j < pairs.size() && pairs[j].first == pairs[i].first) ++j;
     Vec3& node = mesh.nodes[pairs[i].first];
-    const Vec3 step = step_to_walls(node, origin, lines, &pairs[i], pairs.data() + j);
-    if (length(step) < 2 * weld_distance) node = node + step;
+    for (int round = 0; round < 3; ++round) {
+      const Vec3 step = step_to_walls(node, origin, lines, &pairs[i], pairs.data() + j);
+      if (length(step) < settle_distance) node = node + step;
+    }
     i = j;
   }
 }
@@ -185,9 +189,11 @@ bool planar_and_covering(const SkeletonMesh& mesh, const Polygon& polygon) {
 std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, double jitter) {
   const std::optional<SkeletonMesh> raw = raw_skeleton(jittered(polygon, jitter));
   if (!raw) return std::nullopt;
-  SkeletonMesh mesh = welded(*raw, polygon.points.size());
-  if (!closed(mesh, polygon.points.size())) return std::nullopt;
+  SkeletonMesh mesh = *raw;
   settle(mesh, polygon);
+  mesh = welded(mesh, polygon.points.size());
+  settle(mesh, polygon);
+  if (!closed(mesh, polygon.points.size())) return std::nullopt;
   if (!planar_and_covering(mesh, polygon)) return std::nullopt;
   return mesh;
 }

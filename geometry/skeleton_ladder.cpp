@@ -1,4 +1,5 @@
 // The ladder of fallbacks: as asked, then coarser polygons, which lose details of centimetres.
+#include <algorithm>
 #include <array>
 
 #include "geometry/clean.hpp"
@@ -29,7 +30,11 @@ std::optional<SkeletonOn> best_skeleton(const Polygon& polygon) {
   for (const Rung& rung : rungs) {
     std::optional<Cleaned> cleaned = clean(polygon, rung.tolerance);
     if (!cleaned || cleaned->polygon.points.size() > rung.most_points) continue;
-    SkeletonOn on{{}, std::move(cleaned->polygon), std::move(cleaned->edges), rung.fallback, {}};
+    SkeletonOn on{{},
+                  std::move(cleaned->polygon),
+                  std::move(cleaned->edges),
+                  cleaned->moved ? std::max(rung.fallback, 2) : rung.fallback,
+                  {}};
     if (auto quad = quad_skeleton(on.polygon)) {
       on.mesh = std::move(quad->mesh);
       on.quad_first = quad->first;

@@ -54,7 +54,7 @@ inline Polygon polygon_of_wkt(const std::string& wkt) {
 
 /// Every `step`th line of the files of real footprints; empty where they are missing.
 inline std::vector<Named> real_footprints(std::size_t step) {
-  const std::filesystem::path data = std::filesystem::path(MANSARD_SOURCE_DIR) / "../shared/data";
+  const std::filesystem::path data = std::filesystem::path(MANSARD_ROOT) / "../shared/data";
   std::vector<Named> found;
   std::string text;
   const auto add_lines = [&](char separator, std::size_t every) {
