@@ -7,9 +7,9 @@
 namespace mansard {
 
 struct CodePage {
-  std::string_view code;     ///< "W002"
-  std::string_view title;    ///< one sentence
-  std::string_view page;     ///< why it matters, an example, what to do
+  std::string_view code;   ///< "W002"
+  std::string_view title;  ///< one sentence
+  std::string_view page;   ///< why it matters, an example, what to do
 };
 
 std::span<const CodePage> code_pages();

@@ -3,9 +3,11 @@
 
 #include <exception>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "grammar/source.hpp"
@@ -38,7 +40,8 @@ struct Failure : std::exception {
   Diagnostic diagnostic;
 };
 
-/// Collects diagnostics, drops exact repeats and warnings that `// allow CODE` on their line silences.
+/// Collects diagnostics, drops exact repeats and warnings that `// allow CODE` on their line
+/// silences.
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic);
@@ -49,7 +52,10 @@ class Diagnostics {
   void sort();
 
  private:
+  using Seen = std::tuple<const Source*, uint32_t, uint32_t, std::string>;
+
   std::vector<Diagnostic> all_;
+  std::set<Seen> seen_;
   std::size_t errors_ = 0;
 };
 
@@ -60,7 +66,8 @@ std::string to_text(const Diagnostic& diagnostic, bool color = false);
 /// One JSON object: severity, code, text, file, line, column, end_line, end_column, notes, help.
 std::string to_json(const Diagnostic& diagnostic);
 
-/// The candidate most like `word` (edit distance, case ignored), when it is near enough to be meant.
+/// The candidate most like `word` (edit distance, case ignored), when it is near enough to be
+/// meant.
 std::optional<std::string_view> nearest(std::string_view word,
                                         std::span<const std::string_view> candidates);
 

@@ -12,13 +12,15 @@ namespace mansard {
 /// with a place.
 syntax::File parse(const Source& source, Diagnostics& diagnostics);
 
-/// Parses the value of `--set NAME=VALUE` or one expression of the command line; null after an error.
+/// Parses the value of `--set NAME=VALUE` or one expression of the command line; null after an
+/// error.
 syntax::ExprPtr parse_expression(const Source& source, Diagnostics& diagnostics);
 
 /// The words that can not be names (one list for parser, docs and editors).
 std::span<const std::string_view> keywords();
 
-/// A word that code, documents and the user would all call a name: letter or _, then letters, digits, _.
+/// A word that code, documents and the user would all call a name: letter or _, then letters,
+/// digits, _.
 bool is_name(std::string_view text);
 
 }  // namespace mansard

@@ -1,4 +1,5 @@
-// Source text and places in it. A Source owns its text and never moves; everything else holds spans.
+// Source text and places in it. A Source owns its text and never moves; everything else holds
+// spans.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,9 @@ namespace mansard {
 
 class Source {
  public:
+  /// A longer text is refused by parse() and counts as one line.
+  static constexpr std::size_t max_bytes = 32 << 20;
+
   Source(std::string name, std::string text);
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;

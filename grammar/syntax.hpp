@@ -56,9 +56,21 @@ struct Unary {
   ExprPtr operand;
 };
 enum class Infix : uint8_t {
-  add, subtract, multiply, divide, less, less_equal, greater, greater_equal, equal, unequal, and_, or_
+  add,
+  subtract,
+  multiply,
+  divide,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  unequal,
+  and_,
+  or_
 };
-/// A flat left-associative chain of operators of one precedence; comparisons never have more than one.
+/// A flat left-associative chain of operators of one precedence; comparisons never have more than
+/// one.
 struct Chain {
   std::vector<ExprPtr> operands;  ///< one more than operators
   std::vector<Infix> operators;
@@ -70,7 +82,8 @@ struct Conditional {
 
 struct Expr {
   Span at;  ///< without surrounding space
-  std::variant<Number, Text, Boolean, List, Reference, Call, Subscript, Unary, Chain, Conditional> is;
+  std::variant<Number, Text, Boolean, List, Reference, Call, Subscript, Unary, Chain, Conditional>
+      is;
 };
 
 /// 2.5, 30%, 1r, ~1.2, `:`.
@@ -102,12 +115,12 @@ struct Parts {
 /// An operation or a symbol; which of them, the linker knows.
 /// `extrude(2) { A }`, `FLOOR[1]`, `Other::FACADE`, `style(e)::FACADE`.
 struct Emit {
-  Name style;         ///< Other::
-  ExprPtr style_of;   ///< style(expr)::
+  Name style;        ///< Other::
+  ExprPtr style_of;  ///< style(expr)::
   Name name;
   std::optional<std::vector<Arg>> args;
-  Span args_at;       ///< with the parentheses
-  ExprPtr index;      ///< [expr]
+  Span args_at;   ///< with the parentheses
+  ExprPtr index;  ///< [expr]
   std::optional<Parts> parts;
 };
 struct Push {
@@ -128,9 +141,10 @@ struct Element {
 };
 
 struct Part {
-  std::optional<Size> label;  ///< `side :`, `0 :`, `1r :`; a word is an absolute Size with a one-name Reference
-  Body body;                  ///< of a plain part
-  std::vector<Part> group;    ///< of a repeated group `{ … | … }*`; then body is empty
+  std::optional<Size>
+      label;  ///< `side :`, `0 :`, `1r :`; a word is an absolute Size with a one-name Reference
+  Body body;  ///< of a plain part
+  std::vector<Part> group;  ///< of a repeated group `{ … | … }*`; then body is empty
   Span at;
 };
 
@@ -153,12 +167,12 @@ struct Rule {
   Name name;
   std::vector<Name> params;
   bool has_params = false;
-  ExprPtr index;       ///< in the head: a number tests, a one-name Reference binds
+  ExprPtr index;            ///< in the head: a number tests, a one-name Reference binds
   bool guard_else = false;  ///< `: else` or `: else condition`
   ExprPtr guard;
   Body successor;
   ExprPtr probability;
-  Span at, head;       ///< whole rule; name up to the arrow
+  Span at, head;  ///< whole rule; name up to the arrow
 };
 struct Variable {
   Preamble pre;

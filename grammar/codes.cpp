@@ -1,0 +1,126 @@
+#include "grammar/codes.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace mansard {
+
+namespace {
+
+// One row an entry, in the order of their numbers. A page says why, shows the case, and what to do.
+constexpr std::array rows{
+    CodePage{
+        "W001", "A symbol stands where a rule begins, but has no '->'.",
+        R"(A rule ends where the next head, NAME … ->, begins; line ends mean nothing. A name that has lost
+its arrow is therefore read as the last symbol of the rule above it.
+
+    Facade {
+        FACADE -> extrude(0.2) { WALL }
+        WALL                                // read as: FACADE -> extrude(0.2) { WALL } WALL
+    }
+
+Add the arrow, or indent the symbol deeper than its rule when it belongs there.)"},
+    CodePage{
+        "W002", "A guarded rule has no 'else'.",
+        R"(When no condition of a symbol's rules holds, the shape stays as it is, a terminal of that symbol.
+That is rarely meant, and it shows only on the footprint that is too narrow.
+
+    FACADE : H > 4 -> subdiv("Y", 3, 1r) { GROUND_FLOOR | UPPER_FLOORS }
+
+Say what is left over:
+
+    FACADE : else  -> WALL)"},
+    CodePage{
+        "W003", "Two parents that know nothing of each other give the same member.",
+        R"(The parent that is earlier in the resolution order wins, and the other's is never used.
+
+    style Shop : Georgian, Glazed { }       // both give rules to FACADE
+
+Settle it in the child, or mark the winner 'override' or let it call 'super' when it is made to be mixed
+in. 'mansard explain' shows the order.)"},
+    CodePage{
+        "W004", "A symbol is overridden in another block than its own.",
+        R"(Rules are overridden by symbol, whatever block they stand in. A reader looks for them in the block
+that first gave them, and 'replace' of that block would not reach them.
+
+    style Base    { Tile { TILE -> WALL } }
+    style Special : Base { Floor { TILE -> WINDOW } }     // TILE belongs to Tile
+
+Move the rule into the block of the same name.)"},
+    CodePage{
+        "W005", "A symbol or an element is never reached.",
+        R"(No chain of rules leads from the start symbol to it, so its rules or its meshes are never used.
+Often a name is misspelt on one of its sides.
+
+    Tile     { TILE -> WINDOW }
+    Elements { WINDWO : "window.obj" }
+
+Correct the name, or remove what is not used.)"},
+    CodePage{
+        "W006", "A variable is never read.",
+        R"(Changing it changes nothing. Often a rule still holds the number that the variable was made for.
+
+    Tile { var WindowWidth = 0.9   TILE -> subdiv("X", 1r, 1.2, 1r) { WALL | WINDOW | WALL } }
+
+Use it, or remove it. A variable that only derived styles read can be allowed on its line.)"},
+    CodePage{"W007", "A production can never be chosen.",
+             R"(Its probability is zero, or rules before it are always candidates.
+
+    FACADE         -> WALL
+    FACADE : else  -> subdiv("Y", 3, 1r) { GROUND_FLOOR | UPPER_FLOORS }     // the first always is
+
+Give the first a condition, or remove the second.)"},
+    CodePage{
+        "W008", "The mesh of an element is missing.",
+        R"(The file was looked for beside the script that names it, in the style path and in the library, and
+under the same name with the endings .obj and .glb. Shapes of the symbol stay plain polygons.
+
+    Elements { WINDOW : "sash_window.obj" }
+
+Correct the path, or add its folder with --style-path.)"},
+    CodePage{
+        "W009", "Sizes did not fit: parts were cut or left out.",
+        R"(The fixed sizes of a split are longer than its shape. They are cut at the end, and parts wholly
+outside are not made; or one split made more parts than a facade can have.
+
+    TILE -> subdiv("X", 1r, 1.2, 1r) { WALL | WINDOW | WALL }       // on a tile 0.8 m wide
+
+Guard the rule with 'fits', give an 'else', or use floating sizes (~1.2).)"},
+    CodePage{
+        "W010", "No production was a candidate: the shape stays a terminal.",
+        R"(Every rule of the symbol has a condition and none of them held for this shape. It is said once a
+symbol and counted in the report; with --strict it is an error that names the shape.
+
+    FLOOR : W > 5 -> repeat("X", 2.1) { TILE }
+
+Add FLOOR : else -> WALL, or whatever a narrow floor should be.)"},
+    CodePage{
+        "W011", "A part that a roof makes is not named.",
+        R"(The roof has a surface for which the rule says nothing, so the building has a hole there.
+
+    ROOF -> roof("gable", 38) { slope : SLATE }            // and the gables?
+
+Name the part, send it to NIL when it should be open, or use 'all' for the rest:
+
+    ROOF -> roof("gable", 38) { slope : SLATE | gable : WALL | soffit : TIMBER })"},
+    CodePage{
+        "W012", "An attribute of a footprint can not be read.",
+        R"(attr("height", 7.5) gives what its default is, here a number. The footprint's property is text that is
+no number with a unit, so the default was taken.
+
+    height = "about 12"                                    // understood: 12, 12.5 m, 40'
+
+Correct the data, or read it as text: attr("height", "").)"},
+};
+
+}  // namespace
+
+std::span<const CodePage> code_pages() { return rows; }
+
+const CodePage* find_code(std::string_view code) {
+  const auto* found = std::find_if(rows.begin(), rows.end(),
+                                   [&](const CodePage& page) { return page.code == code; });
+  return found == rows.end() ? nullptr : found;
+}
+
+}  // namespace mansard

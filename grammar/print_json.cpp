@@ -1,0 +1,42 @@
+// A diagnostic as a JSON object, for editors and scripts.
+#include <nlohmann/json.hpp>
+
+#include "grammar/diagnostic.hpp"
+
+namespace mansard {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void put_place(Json& into, Span at) {
+  if (!at) return;
+  const Source::Position begin = at.source->position(at.begin), end = at.source->position(at.end);
+  into["file"] = at.source->name();
+  into["line"] = begin.line;
+  into["column"] = begin.column;
+  into["end_line"] = end.line;
+  into["end_column"] = end.column;
+}
+
+}  // namespace
+
+std::string to_json(const Diagnostic& diagnostic) {
+  Json json;
+  json["severity"] = diagnostic.severity == Severity::error ? "error" : "warning";
+  json["code"] = diagnostic.code;
+  json["text"] = diagnostic.text;
+  put_place(json, diagnostic.at);
+  json["also"] = Json::array();
+  for (const Span& at : diagnostic.also) put_place(json["also"].emplace_back(Json::object()), at);
+  json["notes"] = Json::array();
+  for (const Note& note : diagnostic.notes) {
+    Json& made = json["notes"].emplace_back(Json::object());
+    made["text"] = note.text;
+    put_place(made, note.at);
+  }
+  json["help"] = diagnostic.help;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace mansard

@@ -1,0 +1,127 @@
+// After an error: report it, then skip to where the next member begins, so that one run finds every
+// error of a file.
+#pragma once
+
+#include "grammar/control.hpp"
+
+namespace mansard::peg {
+
+/// Whether Rule would match at `at`.
+template <class Rule, template <class...> class Control>
+bool begins(Reading& reading, const char* at) {
+  memory_input<tracking_mode::lazy, eol::lf_crlf, const char*> in(at, reading.end(), "");
+  reading.trail.hush();
+  const bool matched =
+      Control<Rule>::template match<apply_mode::nothing, rewind_mode::required, nothing, Control>(
+          in, reading);
+  reading.trail.speak();
+  return matched;
+}
+
+/// Skips the rest of a member that could not be read. Brackets that were open where reading failed
+/// are closed on the way; the head of a member inside of them means that their ends are missing.
+template <Level level, template <class...> class Control>
+class Skip {
+ public:
+  Skip(Reading& reading, const char* member) : reading_(reading), member_(member) {}
+
+  /// Where reading goes on; reading.leaving is set when that is not among members of this level.
+  const char* run(const char* at, std::size_t open_braces) {
+    open_ = open_braces;
+    for (at = reading_.after_space(at); at < reading_.end(); at = reading_.after_space(past(at))) {
+      if (*at == '{') ++open_;
+      if (*at == '}' && !closes()) return at;
+      if (starts_word(*at) && stops(at)) return at;
+    }
+    return at;
+  }
+
+ private:
+  static bool starts_word(char c) { return c == '@' || Reading::is_word(c); }
+
+  const char* past(const char* at) const {
+    if (*at == '"') return reading_.after_broken_text(at);
+    do {
+      ++at;
+    } while (Reading::is_word(at[-1]) && at < reading_.end() && Reading::is_word(*at));
+    return at;
+  }
+
+  // False for the brace that ends the members of this level.
+  bool closes() {
+    if (open_ == 0) return level == Level::file;
+    --open_;
+    return true;
+  }
+
+  bool stops(const char* at) {
+    if (level == Level::file) return *at != '@' && at > member_ && is<style_start>(at);
+    if (is<style_start>(at)) return leave(Level::file);
+    if (is<any_block>(at)) return level == Level::style ? at > member_ : leave(Level::style);
+    return at > member_ && is_member(at);
+  }
+
+  bool is_member(const char* at) {
+    if constexpr (level == Level::style) return is<style_start_of>(at);
+    if constexpr (level == Level::rules) return is<member_start>(at);
+    if constexpr (level == Level::elements) return is<element_start>(at);
+    return is<material_start>(at);
+  }
+
+  template <class Rule>
+  bool is(const char* at) {
+    return begins<Rule, Control>(reading_, at);
+  }
+
+  bool leave(Level to) {
+    reading_.leaving = true;
+    reading_.leave_to = to;
+    return true;
+  }
+
+  Reading& reading_;
+  const char* member_;
+  std::size_t open_ = 0;
+};
+
+template <Level level>
+template <apply_mode, rewind_mode, template <class...> class, template <class...> class Control,
+          class In>
+bool bad<level>::match(In& in, Reading& reading) {
+  const char* const member = reading.after_space(in.current());
+  const Trail::Place place = reading.trail.furthest();
+  const char* const found = place.at ? std::max(place.at, member) : member;
+
+  Surroundings around{member, false, false, false, level};
+  around.member_is_rule = begins<head, Control>(reading, member);
+  around.member_is_block = begins<any_block, Control>(reading, member);
+  around.found_is_head = begins<head, Control>(reading, found);
+  reading.report(around);
+
+  const char* at = reading.end();
+  if (!reading.over()) {
+    const std::size_t here = reading.trail.braces();
+    const char* const from = place.complaint.resume ? place.complaint.resume : found;
+    Skip<level, Control> skip(reading, member);
+    at = skip.run(from, place.braces > here ? place.braces - here : 0);
+  }
+  reading.tape.cut(0);
+  in.bump(static_cast<std::size_t>(at - in.current()));
+  return true;
+}
+
+template <class In>
+bool leave::read(In& in, Reading& reading) {
+  return reading.leaving || reading.over() || reading.after_space(in.current()) == in.end();
+}
+
+template <class In>
+bool missing_brace::read(In& in, Reading& reading) {
+  if (reading.leaving) return true;
+  const char* const at = reading.after_space(in.current());
+  reading.report_missing_brace(at);
+  in.bump(static_cast<std::size_t>(at - in.current()));
+  return true;
+}
+
+}  // namespace mansard::peg
