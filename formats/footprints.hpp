@@ -11,12 +11,13 @@
 namespace mansard {
 
 struct FootprintOptions {
-  std::string id;     ///< name of the property that identifies a footprint; empty: the usual ones
-  std::string layer;  ///< empty: for OSM the areas tagged `building`, else every polygon layer
-  std::string where;  ///< OGR SQL condition; empty: all
-  std::vector<Property> attributes;  ///< --attr: given to every footprint, stronger than the file's
-  std::vector<std::string> select;   ///< ids; empty: all
-  std::size_t limit = 0;             ///< 0: all
+  std::string id{};     ///< name of the property that identifies a footprint; empty: the usual ones
+  std::string layer{};  ///< empty: for OSM the areas tagged `building`, else every polygon layer
+  std::string where{};  ///< OGR SQL condition; empty: all
+  std::vector<Property>
+      attributes{};  ///< --attr: given to every footprint, stronger than the file's
+  std::vector<std::string> select{};  ///< ids; empty: all
+  std::size_t limit = 0;              ///< 0: all
 };
 
 /// What could not be used, or was repaired. `broken` ones are left out of the set.
@@ -35,8 +36,15 @@ struct FootprintSet {
 
 /// `what` is a path, or a literal: `rect:10x8`, `L:12x9x5x4`, `T:…`, `U:…`, `ring:…`, `WKT:…`.
 /// Longitude/latitude become metres by an equal-distance projection (PROJ) about the set's middle;
-/// projected metres are shifted to it; other units are converted. Throws Failure when nothing can be read at all: no such
-/// file, a format GDAL does not know, a literal that is not one (the message says what is).
+/// projected metres are shifted to it; other units are converted. Throws Failure when nothing can
+/// be read at all: no such file, a format GDAL does not know, a literal that is not one (the
+/// message says what is).
 FootprintSet read_footprints(const std::string& what, const FootprintOptions& options);
+
+/// Keeps the footprints with the ids of `select` (`a` also means its further parts a:2, a:3; empty:
+/// all), of these the first `limit` (0: all), and their notes. read_footprints does it too, but
+/// party walls must be marked before neighbours are taken away. Throws Failure for an unknown id.
+void choose_footprints(FootprintSet& set, const std::vector<std::string>& select,
+                       std::size_t limit);
 
 }  // namespace mansard

@@ -12,7 +12,7 @@ namespace mansard {
 
 /// How a surface looks. Colours are sRGB 0..1.
 struct Look {
-  std::string name;     ///< unique, fit for a material name
+  std::string name;  ///< unique, fit for a material name
   Vec3 color{0.8, 0.8, 0.8};
   double opacity = 1;
   std::string texture;  ///< path of an existing picture, empty for none
@@ -39,6 +39,7 @@ class SurfaceWriter {
 
 /// OBJ with MTL and textures beside it: an object a building, a group a symbol, polygons kept.
 /// `comment` stands in the head of the file (origin, seed, style).
-std::unique_ptr<SurfaceWriter> write_obj(const std::string& path, Up up, const std::string& comment);
+std::unique_ptr<SurfaceWriter> write_obj(const std::string& path, Up up,
+                                         const std::string& comment);
 
 }  // namespace mansard

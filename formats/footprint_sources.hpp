@@ -1,0 +1,49 @@
+// What every reader of footprints hands on before rings are cleaned and repaired.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/footprints.hpp"
+#include "geometry/vector.hpp"
+
+namespace mansard {
+
+/// A ring as it was found: it may be open, repeat points, cross itself or hold NaN.
+using RawRing = std::vector<Vec2>;
+/// The outline first, then the holes, in local metres.
+using RawPolygon = std::vector<RawRing>;
+
+struct RawFeature {
+  std::string id;
+  std::vector<RawPolygon> parts;
+  std::vector<Property> properties;
+};
+
+struct RawSet {
+  std::vector<RawFeature> features;
+  std::vector<FootprintNote> notes;  ///< about the set; their id is empty
+  std::string origin = "local metres";
+  Vec2 shift;
+  bool rings_close = false;  ///< rings end with their first point, by the format's rules
+};
+
+/// Literals: `rect:10x8`, `L:12x9x5x4`, ... Nothing when `what` does not begin like one; throws
+/// Failure with the right form when it does and goes wrong.
+std::optional<RawSet> read_literal(std::string_view what);
+/// The forms of literals, for help: "rect:10x8, L:12x9x5x4, ...".
+std::string literal_forms();
+
+/// Well-known text (OGC 06-103r4 §7): POLYGON and MULTIPOLYGON, Z and M are passed over. Throws
+/// Failure that quotes where it went wrong.
+std::vector<RawPolygon> read_wkt(std::string_view text);
+
+/// Every face of an OBJ (u = x, v = -z). Throws Failure.
+RawSet read_obj_footprints(const std::string& path);
+
+/// Everything GDAL knows. Throws Failure.
+RawSet read_gis(const std::string& path, const FootprintOptions& options);
+
+}  // namespace mansard

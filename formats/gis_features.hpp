@@ -1,0 +1,46 @@
+// OGR's features as raw footprints.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "formats/footprint_sources.hpp"
+
+class OGRFeature;
+class OGRFeatureDefn;
+
+namespace mansard {
+
+/// Converts the features of one layer.
+class GisFeatures {
+ public:
+  /// `id_name`: the property that identifies a feature; empty: osm_id, the feature id (when
+  /// `has_ids`), id, else the place in the file. `prefix` goes before every id.
+  GisFeatures(const OGRFeatureDefn& fields, bool has_ids, std::string id_name, std::string prefix);
+
+  /// Appends the feature, in the file's coordinates, unless it is no area (a point or a line).
+  void add(const OGRFeature& feature, RawSet& to);
+
+  std::size_t points_and_lines() const { return no_areas_; }
+  bool has_heights() const { return has_heights_; }
+  /// Features without the property `id_name`.
+  std::size_t without_id() const { return without_id_; }
+
+ private:
+  std::string id_of(const OGRFeature& feature, const std::vector<Property>& properties);
+  void add_properties(const OGRFeature& feature, std::vector<Property>& to) const;
+
+  enum class Kind { number, boolean, text, tags };
+  struct Field {
+    std::string name;
+    Kind kind;
+  };
+  std::vector<Field> fields_;
+  bool has_ids_;
+  std::string id_name_, prefix_;
+  std::size_t place_ = 0, no_areas_ = 0, without_id_ = 0;
+  bool has_heights_ = false;
+};
+
+}  // namespace mansard

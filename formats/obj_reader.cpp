@@ -1,0 +1,203 @@
+#include "formats/obj_reader.hpp"
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <istream>
+#include <streambuf>
+
+#include "formats/color.hpp"
+
+namespace mansard {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text with continued lines joined; knows the line of the file that is being read.
+class Text final : public std::streambuf {
+ public:
+  explicit Text(std::string text) : original_(std::move(text)), joined_(original_) {
+    for (std::size_t at = 0; (at = joined_.find("\\\n", at)) != std::string::npos;) {
+      joined_[at] = joined_[at + 1] = ' ';
+    }
+    setg(joined_.data(), joined_.data(), joined_.data() + joined_.size());
+  }
+  std::size_t line() const {
+    const auto read = gptr() - eback();
+    const auto ends = std::count(original_.begin(), original_.begin() + read, '\n');
+    return ends + (read > 0 && original_[read - 1] != '\n');
+  }
+
+ private:
+  std::string original_, joined_;
+};
+
+/// Keeps what tinyobjloader read of the MTL files: its callbacks would fail on an empty one.
+class Materials final : public tinyobj::MaterialReader {
+ public:
+  explicit Materials(std::string folder) : file_(std::move(folder)) {}
+  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* all,
+                  std::map<std::string, int>* numbers, std::string* warning,
+                  std::string* error) override {
+    const bool ok = file_(name, all, numbers, warning, error);
+    all_ = *all;
+    return ok;
+  }
+  const std::vector<tinyobj::material_t>& all() const { return all_; }
+
+ private:
+  tinyobj::MaterialFileReader file_;
+  std::vector<tinyobj::material_t> all_;
+};
+
+/// What the callbacks fill.
+struct Reading {
+  ObjFile file;
+  const Text* text = nullptr;
+  std::vector<Vec2> uvs;
+  std::string object, group;
+  int material = -1;
+  bool has_uvs = false;
+  std::string problem;  ///< the first one
+
+  void fail(const std::string& what) {
+    if (problem.empty()) problem = "line " + std::to_string(text->line()) + ": " + what;
+  }
+  /// From the file's number (from 1, or back from the end) to ours; -1 when there is no such thing.
+  static int64_t resolve(int number, std::size_t count) {
+    const int64_t at = number > 0 ? int64_t{number} - 1 : int64_t(count) + number;
+    return number != 0 && at >= 0 && at < int64_t(count) ? at : -1;
+  }
+  void add_face(const tinyobj::index_t* corners, int count);
+  void start_object();
+};
+
+void Reading::start_object() {
+  std::vector<ObjFile::Object>& objects = file.objects;
+  const auto faces = static_cast<uint32_t>(file.mesh.faces.size());
+  if (!objects.empty()) objects.back().end = faces;
+  if (objects.empty() || objects.back().begin != faces) objects.push_back({"", faces, faces});
+  objects.back().name = object.empty() ? group : object;
+}
+
+void Reading::add_face(const tinyobj::index_t* corners, int count) {
+  if (!problem.empty()) return;
+  if (count < 3) return fail("face with fewer than three corners");
+  Mesh& mesh = file.mesh;
+  const auto begin = static_cast<uint32_t>(mesh.corners.size());
+  for (int i = 0; i < count; ++i) {
+    const int64_t point = resolve(corners[i].vertex_index, mesh.points.size());
+    if (point < 0) return fail("face of unknown vertex");
+    mesh.corners.push_back(static_cast<uint32_t>(point));
+    const int64_t uv = resolve(corners[i].texcoord_index, uvs.size());
+    if (uv < 0 && corners[i].texcoord_index != 0) return fail("face of unknown texture coordinate");
+    has_uvs = has_uvs || uv >= 0;
+    mesh.uvs.push_back(uv < 0 ? Vec2{} : uvs[uv]);
+  }
+  // Material 0 is the plain look of faces before any usemtl.
+  mesh.faces.push_back(
+      {begin, static_cast<uint32_t>(mesh.corners.size()), {}, static_cast<uint32_t>(material + 1)});
+}
+
+tinyobj::callback_t callbacks() {
+  tinyobj::callback_t to;
+  to.vertex_cb = [](void* user, double x, double y, double z, double) {
+    auto& r = *static_cast<Reading*>(user);
+    if (!std::isfinite(x + y + z)) r.fail("vertex that is not finite");
+    r.file.mesh.points.push_back({x, y, z});
+  };
+  to.texcoord_cb = [](void* user, double u, double v, double) {
+    static_cast<Reading*>(user)->uvs.push_back({u, v});
+  };
+  to.index_cb = [](void* user, tinyobj::index_t* corners, int count) {
+    static_cast<Reading*>(user)->add_face(corners, count);
+  };
+  to.usemtl_cb = [](void* user, const char*, int number) {
+    static_cast<Reading*>(user)->material = number;
+  };
+  to.group_cb = [](void* user, const char** names, int count) {
+    auto& r = *static_cast<Reading*>(user);
+    r.group = count > 0 ? names[0] : "";
+    r.start_object();
+  };
+  to.object_cb = [](void* user, const char* name) {
+    auto& r = *static_cast<Reading*>(user);
+    r.object = name;
+    r.start_object();
+  };
+  return to;
+}
+
+Mesh::Material convert(const tinyobj::material_t& from, const fs::path& folder) {
+  Mesh::Material to;
+  to.name = from.name;
+  to.color = {to_linear(from.diffuse[0]), to_linear(from.diffuse[1]), to_linear(from.diffuse[2])};
+  to.opacity = std::clamp<double>(from.dissolve, 0, 1);
+  if (!from.diffuse_texname.empty()) {
+    std::string name = from.diffuse_texname;
+    std::replace(name.begin(), name.end(), '\\', '/');
+    std::error_code ignored;
+    if (fs::is_regular_file(folder / name, ignored)) to.texture = (folder / name).string();
+  }
+  return to;
+}
+
+std::optional<std::string> whole_text(const std::string& path, std::string& problem) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    problem = "no such file";
+    return {};
+  }
+  if (fs::is_directory(status)) {
+    problem = "is a folder";
+    return {};
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  if (in) text.assign(std::istreambuf_iterator<char>(in), {});
+  if (!in) {
+    problem = std::strerror(errno);
+    return {};
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<ObjFile> read_obj(const std::string& path, std::string& problem) {
+  std::optional<std::string> content = whole_text(path, problem);
+  if (!content) return {};
+  Text text(std::move(*content));
+  std::istream in(&text);
+  const fs::path folder = fs::path(path).parent_path();
+  Materials materials(folder.empty() ? "" : folder.string() + "/");
+  Reading reading;
+  reading.text = &text;
+  reading.start_object();
+  std::string warning, error;
+  tinyobj::LoadObjWithCallback(in, callbacks(), &reading, &materials, &warning, &error);
+  if (reading.problem.empty() && reading.file.mesh.faces.empty()) reading.problem = "has no faces";
+  if (!reading.problem.empty()) {
+    problem = reading.problem;
+    return {};
+  }
+  reading.file.objects.back().end = static_cast<uint32_t>(reading.file.mesh.faces.size());
+  std::erase_if(reading.file.objects, [](const auto& o) { return o.begin == o.end; });
+  Mesh& mesh = reading.file.mesh;
+  if (!reading.has_uvs) mesh.uvs.clear();
+  mesh.materials.push_back({});
+  for (const tinyobj::material_t& m : materials.all()) {
+    mesh.materials.push_back(convert(m, folder));
+  }
+  return std::move(reading.file);
+}
+
+}  // namespace mansard

@@ -1,0 +1,83 @@
+#include "formats/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+
+#include "grammar/diagnostic.hpp"
+
+namespace mansard {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), buffer_(new char[capacity]), at_(buffer_.get()) {
+  struct stat status;
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
+  regular_ = !exists || S_ISREG(status.st_mode);
+  if (!regular_) {
+    file_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file_ < 0) fail(errno);
+    return;
+  }
+  // A link stays a link: what it points to is replaced.
+  std::error_code unresolved;
+  target_ = exists ? fs::canonical(path, unresolved).string() : path;
+  if (unresolved) target_ = path;
+  static std::atomic<unsigned> count = 0;
+  temporary_ = target_ + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part";
+  file_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ < 0) {
+    temporary_.clear();
+    fail(errno);
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (file_ >= 0) close(file_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::put(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view part = text.substr(0, block);
+    char* to = room(part.size());
+    std::memcpy(to, part.data(), part.size());
+    advance(to + part.size());
+    text.remove_prefix(part.size());
+  }
+}
+
+void OutputFile::commit() {
+  flush();
+  const int closed = close(file_);
+  file_ = -1;
+  if (closed != 0) fail(errno);
+  if (!temporary_.empty() && rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+}
+
+void OutputFile::flush() {
+  for (char* from = buffer_.get(); from < at_;) {
+    const ssize_t written = write(file_, from, at_ - from);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(written < 0 ? errno : ENOSPC);
+    from += written;
+    flushed_ += written;
+  }
+  at_ = buffer_.get();
+}
+
+void OutputFile::fail(int error) const {
+  Diagnostic d;
+  d.text = "can not write '" + path_ + "': " + std::strerror(error);
+  if (error == ENOENT) d.help = "make the folder first";
+  throw Failure(std::move(d));
+}
+
+}  // namespace mansard
