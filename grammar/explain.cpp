@@ -210,7 +210,15 @@ class Failing {
     const std::string close = in_quotes(std::string(1, closer(*place_.open)));
     if (std::find(wants_.begin(), wants_.end(), close) == wants_.end()) return false;
     const bool closing = found_.empty() || found_ == "}" || found_ == "]" || found_ == ")";
-    return closing || around_.found_is_head || std::find(place_.open, at_, '\n') != at_;
+    const bool far = *place_.open != '{' && std::find(place_.open, at_, '\n') != at_;
+    return closing || around_.found_is_head || far;
+  }
+
+  /// Only space stands between the sign and the place.
+  bool before(std::string_view sign) const {
+    const std::size_t last = text_.substr(0, offset(at_)).find_last_not_of(" \t\r\n");
+    return last != text_.npos && last + 1 >= sign.size() && !found_.empty() && found_[0] >= '0' &&
+           found_[0] <= '9' && text_.substr(last + 1 - sign.size(), sign.size()) == sign;
   }
 
   bool wants(std::string_view want) const {
@@ -226,6 +234,9 @@ class Failing {
     }
     if (offset(at_) > 0 && at_[-1] == '%') return "a remainder is mod(a, b); '%' is per cent";
     if (offset(at_) > 0 && at_[-1] == '-' && found_ == "->") return "the arrow of a rule is '->'";
+    if (wants("a symbol or an operation") && before("[")) {
+      return "an index stands against its symbol: NAME[1]; after a space, '[' saves the shape";
+    }
     for (const Slip& slip : slips) {
       if (slip.found == "→" ? found_.substr(0, 3) == slip.found : slip.found == found_) {
         if (wants(slip.want)) return std::string(slip.help);

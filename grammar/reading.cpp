@@ -80,6 +80,15 @@ const char* Reading::after_doc(const char* at) {
   }
 }
 
+const char* Reading::line_begin(const char* at) const {
+  return begin_ + source_.line_begin(source_.line_of(offset(at)));
+}
+
+const char* Reading::after_blanks(const char* at) const {
+  while (at < end_ && (*at == ' ' || *at == '\t')) ++at;
+  return at;
+}
+
 std::size_t Reading::name_length(const char* at, const char* end) {
   const auto is_ascii_word = [](char c) { return is_word(c) && static_cast<signed char>(c) >= 0; };
   const char* after = at;

@@ -34,6 +34,9 @@ class Reading {
   const char* after_broken_text(const char* at) const;
   /// The end of the documentation line that follows `at`; null where none does.
   const char* after_doc(const char* at);
+  const char* line_begin(const char* at) const;
+  /// The first on or behind `at` that is no space on the same line.
+  const char* after_blanks(const char* at) const;
   /// Of the name at `at`; 0 for a keyword or when there is none.
   static std::size_t name_length(const char* at, const char* end);
   static bool is_word(char c);

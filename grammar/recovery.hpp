@@ -23,7 +23,8 @@ bool begins(Reading& reading, const char* at) {
 template <Level level, template <class...> class Control>
 class Skip {
  public:
-  Skip(Reading& reading, const char* member) : reading_(reading), member_(member) {}
+  Skip(Reading& reading, const char* member)
+      : reading_(reading), member_(member), member_line_(reading.line_begin(member)) {}
 
   /// Where reading goes on; reading.leaving is set when that is not among members of this level.
   const char* run(const char* at, std::size_t open_braces) {
@@ -58,14 +59,27 @@ class Skip {
     if (level == Level::file) return *at != '@' && at > member_ && is<style_start>(at);
     if (is<style_start>(at)) return leave(Level::file);
     if (is<any_block>(at)) return level == Level::style ? at > member_ : leave(Level::style);
-    return at > member_ && is_member(at);
+    return at > member_ && (is_member(at) || looks_like_member(at));
   }
 
   bool is_member(const char* at) {
-    if constexpr (level == Level::style) return is<style_start_of>(at);
+    if constexpr (level == Level::style) return is<style_item_start>(at);
     if constexpr (level == Level::rules) return is<member_start>(at);
     if constexpr (level == Level::elements) return is<element_start>(at);
     return is<material_start>(at);
+  }
+
+  // With an error of its own, but first on a line that is indented no deeper than the member's.
+  bool looks_like_member(const char* at) const {
+    constexpr std::array<std::string_view, 5> inner{"else", "then", "if", "super", "per"};
+    if (std::any_of(inner.begin(), inner.end(), [&](std::string_view word) {
+          return std::string_view(at, word.size()) == word && !Reading::is_word(at[word.size()]);
+        })) {
+      return false;
+    }
+    const char* const line = reading_.line_begin(at);
+    return reading_.after_blanks(line) == at &&
+           at - line <= reading_.after_blanks(member_line_) - member_line_;
   }
 
   template <class Rule>
@@ -81,6 +95,7 @@ class Skip {
 
   Reading& reading_;
   const char* member_;
+  const char* member_line_;
   std::size_t open_ = 0;
 };
 

@@ -20,7 +20,8 @@ struct op_or          : seq<ws, string<'|', '|'>> {};
 struct floating       : seq<T<"~">, expr> {};
 struct dont_care      : seq<colon> {};
 struct size           : sor<floating, dont_care, expr> {};
-struct named          : seq<at<word, assign>, word, assign, size> {};
+struct named_start    : at<word, assign> {};
+struct named          : seq<named_start, word, assign, size> {};
 struct arg            : sor<named, size> {};
 struct args           : seq<T<"(">, opt<list<arg, comma>>, T<")">> {};
 struct index          : seq<tight<'['>, expr, T<"]">> {};
@@ -81,7 +82,7 @@ struct parts          : seq<part_list, maybe<star_>> {};
 
 // ---- members of blocks and styles
 struct annotation     : seq<T<"@">, word, maybe<args>> {};
-struct preamble       : star<sor<doc, annotation>> {};
+struct preamble       : many<sor<doc, annotation>> {};
 struct probability    : seq<colon, value> {};
 struct rule           : seq<head, arrow, body, maybe<probability>> {};
 struct plain_value    : seq<many<op_pre>, sor<amount, text, boolean, list_value, reference>> {};
@@ -136,7 +137,7 @@ struct only_expr      : seq<expr, expr_end> {};
 // ---- where reading goes on after an error
 struct style_start    : sor<seq<preamble, opt<final_>, style_word, name, sor<colon, T<"{">>>, seq<K<"import">, text>> {};
 struct any_block      : seq<preamble, opt<replace>, sor<seq<sor<elements_name, materials_name>, T<"{">>, block_start>> {};
-struct style_start_of : sor<seq<K<"var">, name>, seq<K<"def">, name, T<"(">>, seq<K<"abstract">, sor<name, K<"var">>>, seq<K<"start">, name>, seq<T<"@">, word>> {};
+struct style_item_start : sor<seq<K<"var">, name>, seq<K<"def">, name, T<"(">>, seq<K<"abstract">, sor<name, K<"var">>>, seq<K<"start">, name>, seq<T<"@">, word>> {};
 struct element_start  : sor<seq<name, entry_kind, text>, seq<K<"remove">, name>, seq<T<"@">, word>> {};
 struct material_start : sor<seq<name, entry_kind, name, T<"(">>, seq<K<"remove">, name>, seq<T<"@">, word>> {};
 

@@ -19,10 +19,14 @@ Source::Source(std::string name, std::string text)
   }
 }
 
+uint32_t Source::line_of(uint32_t offset) const {
+  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  return static_cast<uint32_t>(after - line_begins_.begin());
+}
+
 Source::Position Source::position(uint32_t offset) const {
   offset = std::min(offset, static_cast<uint32_t>(std::min<std::size_t>(text_.size(), UINT32_MAX)));
-  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
-  const auto line = static_cast<uint32_t>(after - line_begins_.begin());
+  const uint32_t line = line_of(offset);
   const auto characters =
       std::count_if(text_.begin() + line_begin(line), text_.begin() + offset,
                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });

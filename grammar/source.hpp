@@ -27,6 +27,7 @@ class Source {
     uint32_t column = 1;  ///< from 1, in characters (UTF-8 code points)
   };
   Position position(uint32_t offset) const;
+  uint32_t line_of(uint32_t offset) const;
   /// Without its line end; line counts from 1.
   std::string_view line(uint32_t line) const;
   uint32_t line_begin(uint32_t line) const { return line_begins_[line - 1]; }
