@@ -236,6 +236,27 @@ TEST_CASE("a scene with missing parts does not crash") {
   CHECK_FALSE(render(scene, small()).rgb.empty());
 }
 
+TEST_CASE("a concave polygon is covered exactly") {
+  Surface surface;
+  surface.points = {{0, 0, 0}, {6, 0, 0}, {6, 2, 0}, {2, 2, 0}, {2, 6, 0}, {0, 6, 0}};
+  surface.uvs.assign(6, {});
+  surface.ends = {6};
+  surface.normals = {{0, 0, 1}};
+  surface.runs = {{0, 3, 1}};
+  Scene scene;
+  scene.add(surface, 10);
+  double area = 0;
+  for (std::size_t i = 0; i + 9 <= scene.points.size(); i += 9) {
+    const float* p = &scene.points[i];
+    area += 0.5 * ((p[3] - p[0]) * (p[7] - p[1]) - (p[4] - p[1]) * (p[6] - p[0]));
+  }
+  CHECK(area == doctest::Approx(20));
+  CHECK(scene.paint == std::vector<uint32_t>(4, 13));
+  CHECK(scene.face == std::vector<uint32_t>(4, 0));
+  scene.add(surface, 10);
+  CHECK(scene.face.back() == 1);
+}
+
 TEST_CASE("far from zero a building looks as near it") {
   Scene near = box_scene({6, 6, 6}), far = near;
   for (std::size_t i = 0; i < far.points.size(); i += 3) {
