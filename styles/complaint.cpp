@@ -4,8 +4,6 @@
 
 namespace mansard {
 
-std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
-
 std::string listed(std::span<const syntax::Style* const> styles) {
   std::string text;
   for (const syntax::Style* style : styles) {
@@ -36,12 +34,9 @@ Note while_linking(const syntax::Style& style) {
   return {"while linking style " + in_quotes(style.name.text), {}};
 }
 
-// A hostile script has a million names, or one of a million letters; edit distances to all of them
-// would take for ever.
+// A hostile script has a million names; edit distances to all of them would take for ever.
 std::string did_you_mean(std::string_view word, std::vector<std::string_view> candidates) {
-  constexpr std::size_t most_candidates = 1000, longest = 80;
-  if (word.size() > longest) return {};
-  std::erase_if(candidates, [](std::string_view candidate) { return candidate.size() > longest; });
+  constexpr std::size_t most_candidates = 1000;
   if (candidates.size() > most_candidates) candidates.resize(most_candidates);
   const auto found = nearest(word, candidates);
   return found ? "did you mean " + in_quotes(*found) + "?" : std::string();

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "grammar/diagnostic.hpp"
+#include "grammar/in_quotes.hpp"
 #include "grammar/syntax.hpp"
 
 namespace mansard {
 
-std::string in_quotes(std::string_view word);
 /// "A, B, C".
 std::string listed(std::span<const syntax::Style* const> styles);
 

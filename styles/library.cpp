@@ -1,7 +1,6 @@
 #include "styles/library.hpp"
 
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -63,10 +62,6 @@ const syntax::File* Library::load_import(const syntax::Import& import, Diagnosti
 }
 
 const syntax::File* Library::read(Found found, Span import_at, Diagnostics& diagnostics) {
-  if (found.text.size() >= std::numeric_limits<uint32_t>::max()) {
-    diagnostics.add(error(import_at, in_quotes(found.path) + " is larger than 4 GB", {}));
-    return nullptr;
-  }
   if (import_depth_ == deepest_import) {
     diagnostics.add(error(
         import_at, "imports are more than " + std::to_string(deepest_import) + " files deep", {}));

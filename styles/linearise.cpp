@@ -168,15 +168,21 @@ class Lineariser {
     std::string text = "style " + in_quotes(ring.front()->name.text) + " inherits from itself: ";
     std::vector<Note> notes;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Style& parent = *ring[(i + 1) % ring.size()];
       text += std::string(ring[i]->name.text) + " : ";
+      if (i == 0) continue;
+      const Style& parent = *ring[(i + 1) % ring.size()];
       notes.push_back(
           {in_quotes(ring[i]->name.text) + " inherits from " + in_quotes(parent.name.text),
-           ring[i]->name.at});
+           mention(*ring[i], parent)});
     }
     text += ring.front()->name.text;
     notes.push_back(while_linking(*ring.front()));
-    return error(ring.front()->name.at, std::move(text), std::move(notes));
+    return error(mention(*ring[0], *ring[1 % ring.size()]), std::move(text), std::move(notes));
+  }
+
+  /// Where a style names its parent.
+  static Span mention(const Style& style, const Style& parent) {
+    return std::ranges::find(style.parents, parent.name.text, &syntax::Name::text)->at;
   }
 
   bool linearise(const Style& style, const Order& parents) {

@@ -94,12 +94,13 @@ void check_overrides(Linking& linking, const std::vector<Slot<T>>& slots, const 
     if (!given.syntax->pre.override || given.rank < basest || given.rank == complained) continue;
     complained = given.rank;
     const syntax::Style& style = *given.from.style;
-    linking.diagnostics.add(error(
-        given.syntax->name.at,
-        in_quotes(full_name(slot.block, slot.name)) + " overrides nothing: no parent of " +
-            in_quotes(style.name.text) + " has this " + kind<T>,
-        {{"it says " + in_quotes("override"), given.syntax->pre.override}, while_linking(style)},
-        suggestion(linking, slots, slot, given.rank)));
+    Diagnostic complaint =
+        error(given.syntax->name.at,
+              in_quotes(full_name(slot.block, slot.name)) + " overrides nothing: no parent of " +
+                  in_quotes(style.name.text) + " has this " + kind<T>,
+              {while_linking(style)}, suggestion(linking, slots, slot, given.rank));
+    complaint.also.push_back(given.syntax->pre.override);
+    linking.diagnostics.add(std::move(complaint));
   }
 }
 
