@@ -267,6 +267,37 @@ TEST_CASE("what has no inside gets a flat roof or none, and no crash") {
   CHECK(roof(huge, {}).faces.size() == 4);
 }
 
+TEST_CASE("rings that touch are moved apart, and what pinches itself too") {
+  for (const char* wkt : {
+           "POLYGON((0 0,20 0,20 14,0 14),(0 5,6 8,6 4))",                  // on an edge
+           "POLYGON((0 0,20 0,20 14,0 14),(20 14,14 8,16 6))",              // at a corner
+           "POLYGON((0 0,20 0,20 14,0 14),(4 4,4 8,9 6),(9 6,14 9,13 4))",  // two holes
+           "POLYGON((0 0,10 0,10 6,20 0,20 12,10 6,10 12,0 12))",           // from outside
+       }) {
+    CAPTURE(wkt);
+    const Polygon polygon = test::polygon_of_wkt(wkt);
+    RoofOptions options;
+    options.pitch = 40;
+    CHECK(roof(polygon, options).fallback <= 3);
+    CHECK(broken_law(polygon, options, 1e-6) == "");
+  }
+}
+
+TEST_CASE("a parapet stands flush with the facade and inside it") {
+  RoofOptions options;
+  options.kind = RoofKind::flat;
+  options.parapet = 1;
+  const Roof made = roof(rectangle(8, 12), options);
+  CHECK(count(made, RoofPart::parapet) == 12);
+  double caps = 0;
+  for (const RoofFace& face : made.faces) {
+    for (const Vec3 p : face.loop) CHECK((p.x >= 0 && p.x <= 8 && p.y >= 0 && p.y <= 12));
+    if (face.part == RoofPart::parapet) caps += area_vector(face).z;
+    if (face.part == RoofPart::top) CHECK(area_vector(face).z == doctest::Approx(7.5 * 11.5));
+  }
+  CHECK(caps == doctest::Approx(8 * 12 - 7.5 * 11.5));
+}
+
 TEST_CASE("every edge has its face in a skeleton, but those that were merged") {
   Polygon house = rectangle(8, 4);
   house.points.insert(house.points.begin() + 1, {3, 0});
