@@ -95,16 +95,19 @@ inline constexpr bool folds =
 template <class Rule>
 inline constexpr bool is_tight =
     is_any_of<Rule, unit, index, head_index, doc, number_end, no_bracket>;
-/// Begins with a bracket (or an `if`) that counts as open until the rule is done.
+/// The bracket, or the `if`, that a rule begins with and that is open until the rule is done.
 template <class Rule>
-inline constexpr bool opens =
-    is_any_of<Rule, args, index, list_value, parenthesis, params, head_index, conditional, push,
-              branch, of_style, group, part_list, elements, materials, rules, style_members>;
+inline constexpr char opener =
+    is_any_of<Rule, args, parenthesis, params>                                      ? '('
+    : is_any_of<Rule, index, list_value, head_index, push>                          ? '['
+    : is_any_of<Rule, branch, part_list, elements, materials, rules, style_members> ? '{'
+    : is_any_of<Rule, conditional>                                                  ? 'i'
+                                                                                    : '\0';
 /// What is refused inside is not worth telling.
 template <class Rule>
 inline constexpr bool is_quiet =
-    is_any_of<Rule, named_start, not_head, not_block, other_label, end, style_start, any_block,
-              member_start, style_item_start, element_start, material_start>;
+    is_any_of<Rule, named_start, not_head, value_here, not_block, other_label, end, style_start,
+              any_block, member_start, style_item_start, element_start, material_start>;
 template <class Rule>
 inline constexpr bool hushes = false;
 template <class... Rules>

@@ -28,6 +28,8 @@ class TreeBuilder {
   void end_block(uint32_t end);
   void end_style(uint32_t end);
   syntax::ExprPtr take_expr();
+  /// The last member that was taken turned out to be only the beginning of one.
+  void drop_last(bool of_style);
 
   syntax::File file;
   uint32_t brief_variable_end = 0;  ///< of the last `var X 1`, which takes no expression

@@ -30,6 +30,21 @@ void TreeBuilder::take_import() {
   if (finish()) file.imports.push_back(std::move(import));
 }
 
+void TreeBuilder::drop_last(bool of_style) {
+  const auto drop = [](auto& members) {
+    if (!members.empty()) members.pop_back();
+  };
+  if (of_style) {
+    drop(style_.members);
+  } else if (block_.kind == BlockKind::rules) {
+    drop(block_.items);
+  } else if (block_.kind == BlockKind::elements) {
+    drop(block_.elements);
+  } else {
+    drop(block_.materials);
+  }
+}
+
 // ---- preambles
 
 namespace {

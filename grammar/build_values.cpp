@@ -49,6 +49,7 @@ ExprPtr TreeBuilder::bare_expr(const Node& node) {
     }
     case Tag::name:
       return make(node, Reference{{}, {name(node)}});
+    case Tag::qualified:
     case Tag::reference:
       return make(node, reference(node));
     case Tag::call: {

@@ -9,10 +9,8 @@ namespace mansard::peg {
 template <class Rule>
 inline constexpr bool has_parts = !std::is_same_v<typename Rule::subs_t, type_list<>>;
 template <class Rule>
-inline constexpr bool is_watched =
-    tag<Rule> != Tag::none || has_wording<Rule> || opens<Rule> || is_quiet<Rule> || hushes<Rule>;
-
-inline bool is_opening(char c) { return c == '{' || c == '[' || c == '(' || c == 'i'; }
+inline constexpr bool is_watched = tag<Rule> != Tag::none || has_wording<Rule> ||
+                                   opener<Rule> != '\0' || is_quiet<Rule> || hushes<Rule>;
 
 /// One try of one watched rule at one place.
 template <class Rule>
@@ -21,8 +19,8 @@ class Attempt {
   Attempt(Reading& reading, const char* at)
       : trail_(reading.trail), at_(at), wants_(trail_.wants_at(at)) {
     if constexpr (is_quiet<Rule>) trail_.hush();
-    if constexpr (opens<Rule>) {
-      opened_ = is_opening(*at);
+    if constexpr (opener<Rule> != '\0') {
+      opened_ = *at == opener<Rule>;
       if (opened_) trail_.open(at);
     }
   }
@@ -30,7 +28,7 @@ class Attempt {
   Attempt& operator=(const Attempt&) = delete;
 
   bool too_deep() {
-    if constexpr (opens<Rule>) {
+    if constexpr (opener<Rule> != '\0') {
       if (trail_.depth() <= Trail::max_depth) return false;
       trail_.complain(at_, {at_,
                             at_ + 1,
@@ -43,7 +41,7 @@ class Attempt {
     return false;
   }
   void finish(bool matched) {
-    if constexpr (opens<Rule>) {
+    if constexpr (opener<Rule> != '\0') {
       if (opened_) trail_.close();
     }
     if constexpr (is_quiet<Rule>) trail_.speak();

@@ -49,6 +49,7 @@ constexpr std::array slips{
     Slip{"->", "", "'->' belongs to the head of a rule: NAME -> …"},
     Slip{":=", "", "a variable is written: var NAME = value"},
     Slip{"==", "'='", "a variable is written: var NAME = value"},
+    Slip{"=", "a name", "a variable is written: var NAME = value"},
     Slip{"=", "'->'", "two values are compared with '=='"},
     Slip{"=", "", "two values are compared with '=='; a variable is written: var NAME = value"},
     Slip{"<", "", "comparisons do not chain: join two with '&&'"},

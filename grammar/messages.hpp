@@ -40,6 +40,8 @@ template <> inline constexpr Wording wording<no_bracket>{nullptr, "a '[' can not
 template <> inline constexpr Wording wording<element_kind>{"a symbol or an operation"};
 template <> inline constexpr Wording wording<part>{"a symbol or an operation"};
 template <> inline constexpr Wording wording<not_head>{nullptr, "the next rule begins before this one is complete", "a rule that should leave nothing has the successor NIL"};
+template <> inline constexpr Wording wording<value_here>{nullptr, "the next rule begins where a value should stand", nullptr};
+template <> inline constexpr Wording wording<plain_primary>{"a value"};
 template <> inline constexpr Wording wording<not_block>{nullptr, "a block can not begin in a rule", "a bare name before '{' is a block; an operation has parentheses: name() { … }"};
 template <> inline constexpr Wording wording<plain_item>{"a rule, 'var' or 'def'"};
 template <> inline constexpr Wording wording<any_item>{"a rule, 'var', 'def', 'abstract'"};

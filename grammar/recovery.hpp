@@ -29,10 +29,12 @@ class Skip {
   /// Where reading goes on; reading.leaving is set when that is not among members of this level.
   const char* run(const char* at, std::size_t open_braces) {
     open_ = open_braces;
+    bool operand = false;  // what stands behind an operator begins nothing
     for (at = reading_.after_space(at); at < reading_.end(); at = reading_.after_space(past(at))) {
       if (*at == '{') ++open_;
       if (*at == '}' && !closes()) return at;
-      if (starts_word(*at) && stops(at)) return at;
+      if (starts_word(*at) && !operand && stops(at)) return at;
+      operand = std::string_view(":+-*/<>=&|(,!~").find(*at) != std::string_view::npos;
     }
     return at;
   }
@@ -112,6 +114,10 @@ bool bad<level>::match(In& in, Reading& reading) {
   around.member_is_block = begins<any_block, Control>(reading, member);
   around.found_is_head = begins<head, Control>(reading, found);
   reading.report(around);
+  // `A -> B [` is read as `A -> B`, and then `[` is no member.
+  if (found > member && !Reading::is_word(*member) && *member != '@') {
+    reading.tree.drop_last(level == Level::style);
+  }
 
   const char* at = reading.end();
   if (!reading.over()) {

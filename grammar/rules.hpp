@@ -55,7 +55,8 @@ struct member_start   : sor<head, seq<K<"var">, name>, seq<K<"def">, name>, seq<
 struct block_start    : seq<opt<K<"replace">>, name, T<"{">, member_start> {};
 struct not_head       : not_at<head> {};
 struct not_block      : not_at<block_start> {};
-struct value          : seq<not_head, expr> {};
+struct value_here     : not_at<head> {};
+struct value          : seq<value_here, expr> {};
 
 // ---- successors
 struct push           : seq<T<"[">, body, T<"]">> {};
@@ -64,7 +65,7 @@ struct else_if        : seq<K<"else">, K<"if">, expr, branch> {};
 struct else_branch    : seq<K<"else">, branch> {};
 struct if_            : seq<K<"if">, expr, branch, many<else_if>, maybe<else_branch>> {};
 struct super_         : K<"super"> {};
-struct of_style       : seq<K<"style">, T<"(">, expr, T<")">, T<"::">> {};
+struct of_style       : seq<K<"style">, parenthesis, T<"::">> {};
 struct emitted        : sor<seq<of_style, name>, qualified, name> {};
 struct emit           : seq<emitted, maybe<args>, maybe<index>, maybe<parts, no_bracket>> {};
 struct element_kind   : sor<push, if_, super_, emit> {};
@@ -74,10 +75,10 @@ struct word_label     : seq<word, colon> {};
 struct amount_label   : seq<at<ws, sor<digit, one<'.', '(', '~', ':', '"', '-', '!'>>>, size, colon> {};
 struct other_label    : seq<at<expr, colon>, expr, colon> {};
 struct label          : sor<word_label, amount_label, other_label> {};
-struct group          : seq<T<"{">, list<part, bar>, T<"}">, T<"*">> {};
+struct part_list      : seq<T<"{">, list<part, bar>, T<"}">> {};
+struct group          : seq<part_list, T<"*">> {};
 struct part           : sor<group, seq<maybe<label>, body>> {};
 struct star_          : T<"*"> {};
-struct part_list      : seq<T<"{">, list<part, bar>, T<"}">> {};
 struct parts          : seq<part_list, maybe<star_>> {};
 
 // ---- members of blocks and styles
@@ -85,8 +86,9 @@ struct annotation     : seq<T<"@">, word, maybe<args>> {};
 struct preamble       : many<sor<doc, annotation>> {};
 struct probability    : seq<colon, value> {};
 struct rule           : seq<head, arrow, body, maybe<probability>> {};
-struct plain_value    : seq<many<op_pre>, sor<amount, text, boolean, list_value, reference>> {};
-struct variable       : seq<K<"var">, name, sor<seq<assign, value>, seq<not_head, plain_value>>> {};
+struct plain_primary  : sor<amount, text, boolean, list_value, reference> {};
+struct plain_value    : seq<many<op_pre>, plain_primary> {};
+struct variable       : seq<K<"var">, name, sor<seq<assign, value>, seq<value_here, plain_value>>> {};
 struct function       : seq<K<"def">, name, params, assign, value> {};
 struct abstract_var   : seq<K<"abstract">, K<"var">, name> {};
 struct abstract_name  : seq<K<"abstract">, name, maybe<params>> {};
