@@ -37,7 +37,7 @@ Float3 toned(Float3 light) {
 uint8_t srgb(float linear) {
   const float c =
       linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
-  return static_cast<uint8_t>(255 * std::clamp(c, 0.0F, 1.0F) + 0.5F);
+  return static_cast<uint8_t>(std::lround(255 * std::clamp(c, 0.0F, 1.0F)));
 }
 
 /// The ground runs out into haze; what stands far away gets a little of it.

@@ -33,13 +33,14 @@ class Pass {
     const float own_brightness = brightness(own), range = range_ * own_brightness;
     // The picture's border cuts taps off.
     const int place = dx_ > 0 ? x : row, size = dx_ > 0 ? film_.width : film_.rows;
-    const int step = dx_ + dy_, stride = dx_ + dy_ * film_.width;
+    const int step = dx_ + dy_;
+    const std::ptrdiff_t stride = dx_ + std::ptrdiff_t{dy_} * film_.width;
     Light sum;
     float weights = 0, sun_weights = 0;
     for (int tap = -std::min(2, place / step); tap <= 2 && place + tap * step < size; ++tap) {
-      const std::size_t k = i + static_cast<std::size_t>(tap * stride);
+      const std::size_t k = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + tap * stride);
       if (film_.triangle[k] != triangle && !is_in_plane(x, row, i, k, tap)) continue;
-      const float weight = kernel[static_cast<std::size_t>(tap + 2)];
+      const float weight = *(kernel.begin() + 2 + tap);
       const Light& other = film_.light[k];
       if (std::abs(brightness(other) - own_brightness) <= range) {
         sum.ambient = sum.ambient + other.ambient * weight;

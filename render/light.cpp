@@ -49,9 +49,11 @@ Float3 sky_light(Float3 direction) {
 }
 
 Spread::Spread(int x, int y, int samples) {
-  static constexpr std::array<int, 16> order{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+  static constexpr std::array<uint32_t, 16> order{0, 8,  2, 10, 12, 4, 14, 6,
+                                                  3, 11, 1, 9,  15, 7, 13, 5};
   block_ = hash(static_cast<uint32_t>(x >> 2) + 0x9e3779b9U * hash(static_cast<uint32_t>(y >> 2)));
-  first_ = static_cast<uint32_t>(order[static_cast<std::size_t>((y & 3) * 4 + (x & 3))] * samples);
+  const auto place = static_cast<uint32_t>(y & 3) * 4 + static_cast<uint32_t>(x & 3);
+  first_ = order[place] * static_cast<uint32_t>(samples);
 }
 
 Spread::Spot Spread::on_disc(int i, int stream) const {

@@ -39,8 +39,9 @@ Stand find_street(const World& world, const Tracer& tracer) {
   float most = 0;
   for (int i = 0; i < grid * grid; ++i) {
     // The middle three quarters: not on the edge, looking out of town.
-    const float across = (static_cast<float>(i % grid) + 0.5F) / grid - 0.5F;
-    const float along = (static_cast<float>(i / grid) + 0.5F) / grid - 0.5F;
+    const int column = i % grid, row = i / grid;
+    const float across = (static_cast<float>(column) + 0.5F) / grid - 0.5F;
+    const float along = (static_cast<float>(row) + 0.5F) / grid - 0.5F;
     const Float3 eye{middle.x + 0.75F * across * size.x, 1.7F, middle.z + 0.75F * along * size.z};
     if (!is_outdoors(tracer, eye)) continue;
     std::array<float, directions> free{};
