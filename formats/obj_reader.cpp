@@ -160,6 +160,10 @@ std::optional<std::string> whole_text(const std::string& path, std::string& prob
     problem = "is a folder";
     return {};
   }
+  if (fs::is_character_file(status) || fs::is_block_file(status)) {
+    problem = "is a device";
+    return {};
+  }
   std::ifstream in(path, std::ios::binary);
   std::string text;
   if (in) text.assign(std::istreambuf_iterator<char>(in), {});

@@ -278,3 +278,43 @@ TEST_CASE("faces of an OBJ are footprints") {
         "can not read footprints from '" + (folder / "bad.obj") +
             "': line 2: face of unknown vertex");
 }
+
+TEST_CASE("the middle of a set is not moved by strays, nor by the date line") {
+  const Folder folder;
+  std::string near, across;
+  for (int i = 0; i < 5; ++i) {
+    near += feature(polygon(square(24.94 + i * 1e-3, 60.17, 1e-4))) + ",";
+    across += (i ? "," : "") + feature(polygon(square(i < 3 ? 179.9985 : -179.999, -17, 1e-4)));
+  }
+  const FootprintSet set = read_footprints(
+      folder.write("stray.geojson", collection(near + feature(polygon(square(0, 0, 1e-4))), "")),
+      {});
+  CHECK(length(set.footprints.at(0).polygon.points[0]) < 1000);
+  const FootprintSet fiji =
+      read_footprints(folder.write("fiji.geojson", collection(across, "")), {});
+  for (const Footprint& f : fiji.footprints) CHECK(length(f.polygon.points[0]) < 1000);
+}
+
+TEST_CASE("all layers of areas are read, or the one that is named") {
+  const Folder folder;
+  const std::string part =
+      folder.write("part.geojson", collection(feature(polygon(square(385000, 6671000, 10)))));
+  const std::string file = folder / "town.gpkg";
+  for (const char* how : {"-nln houses", "-update -nln sheds"}) {
+    const std::string command =
+        "ogr2ogr -f GPKG " + std::string(how) + " '" + file + "' '" + part + "' 2>/dev/null";
+    if (std::system(command.c_str()) != 0) {
+      MESSAGE("skipped: ogr2ogr is not here");
+      return;
+    }
+  }
+  const FootprintSet both = read_footprints(file, {});
+  REQUIRE(both.footprints.size() == 2);
+  CHECK(both.footprints[0].id == "houses/1");
+  CHECK(both.footprints[1].id == "sheds/1");
+  const FootprintSet one = read_footprints(file, {.layer = "sheds"});
+  REQUIRE(one.footprints.size() == 1);
+  CHECK(one.footprints[0].id == "1");
+  const Diagnostic unknown = failure(file, {.layer = "shed"});
+  CHECK(unknown.help == "did you mean 'sheds'? its layers are houses, sheds");
+}
