@@ -220,6 +220,8 @@ void move_apart(Polygon& polygon, const std::vector<Contact>& touching, double p
 }  // namespace
 
 std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& tolerance) {
+  constexpr std::size_t hopeless = 20000;  // points: it would take seconds, and then be refused
+  if (polygon.points.size() > hopeless) return std::nullopt;
   Cleaned cleaned;
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     Ring ring = corners_of(polygon, r);
@@ -229,7 +231,9 @@ std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& toler
       return std::nullopt;
     }
   }
-  if (cleaned.polygon.empty()) return std::nullopt;
+  if (cleaned.polygon.empty() || cleaned.polygon.points.size() > tolerance.most_points) {
+    return std::nullopt;
+  }
   if (cleaned.polygon.rings() > 1) drop_stray_holes(cleaned);
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::vector<Contact> touching = contacts(cleaned.polygon, tolerance.gap);

@@ -17,6 +17,7 @@ struct CleanTolerance {
   double hole = 1e-3;  ///< smaller holes are dropped
   double gap = 2e-6;   ///< rings that come closer than this are moved apart, by `part`
   double part = 0.02;
+  std::size_t most_points = 10000;  ///< what has more of them after all this is given up
 };
 
 struct Cleaned {
@@ -25,7 +26,8 @@ struct Cleaned {
   bool moved = false;           ///< points were moved since the polygon touched itself
 };
 
-/// nullopt when nothing with an area is left, or when the rings still cross.
+/// nullopt when nothing with an area is left, when the rings still cross, or when
+/// there are too many points.
 std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& tolerance);
 
 /// Point and edge of a polygon that come closer than a gap (or the starts of two crossing edges).

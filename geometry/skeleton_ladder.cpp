@@ -9,19 +9,19 @@
 namespace mansard {
 namespace {
 
+// Time grows with the square of the number of points, so each rung has a limit of them.
 struct Rung {
   CleanTolerance tolerance;
   double jitter;
-  std::size_t most_points;  // time grows with the square of the number of points
   int fallback;
 };
 
 constexpr std::array rungs{
-    Rung{{1e-4, 1e-4, 1e-3, 2e-6, 0.02}, 1e-6, 400, 1},
-    Rung{{0.01, 0.005, 0.05, 1e-4, 0.02}, 1e-5, 600, 2},
-    Rung{{0.02, 0.02, 1, 0.005, 0.03}, 1e-5, 600, 3},
-    Rung{{0.05, 0.05, 1, 0.01, 0.06}, 1e-5, 800, 3},
-    Rung{{0.2, 0.2, 4, 0.02, 0.1}, 1e-5, 1200, 3},
+    Rung{{1e-4, 1e-4, 1e-3, 2e-6, 0.02, 400}, 1e-6, 1},
+    Rung{{0.01, 0.005, 0.05, 1e-4, 0.02, 600}, 1e-5, 2},
+    Rung{{0.02, 0.02, 1, 0.005, 0.03, 600}, 1e-5, 3},
+    Rung{{0.05, 0.05, 1, 0.01, 0.06, 800}, 1e-5, 3},
+    Rung{{0.2, 0.2, 4, 0.02, 0.1, 1200}, 1e-5, 3},
 };
 
 }  // namespace
@@ -29,7 +29,7 @@ constexpr std::array rungs{
 std::optional<SkeletonOn> best_skeleton(const Polygon& polygon) {
   for (const Rung& rung : rungs) {
     std::optional<Cleaned> cleaned = clean(polygon, rung.tolerance);
-    if (!cleaned || cleaned->polygon.points.size() > rung.most_points) continue;
+    if (!cleaned) continue;
     SkeletonOn on{{},
                   std::move(cleaned->polygon),
                   std::move(cleaned->edges),
