@@ -19,9 +19,9 @@ struct Property {
 };
 
 struct Footprint {
-  std::string id;      ///< stable: --id NAME, else osm_id, feature id, `id`, else position in the file
-  /// u east and v north in metres about the set's origin, first edge as in the file; tags hold party,
-  /// court and street flags and `wall` = the edge's number.
+  std::string id;  ///< stable: --id NAME, else osm_id, feature id, `id`, else position in the file
+  /// u east and v north in metres about the set's origin, first edge as in the file; tags hold
+  /// party, court and street flags and `wall` = the edge's number.
   Polygon polygon;
   std::vector<Property> properties;
   const Property* find(std::string_view name) const {

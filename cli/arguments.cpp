@@ -1,0 +1,94 @@
+#include "cli/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "grammar/diagnostic.hpp"
+
+namespace mansard {
+namespace {
+
+/// The long spelling of "-o,--output".
+std::string key_of(const Flag& flag) {
+  const auto comma = flag.name.find(',');
+  return std::string(comma == std::string_view::npos ? flag.name : flag.name.substr(comma + 1));
+}
+
+std::string nearest_flag(const Command& command, std::string_view word) {
+  std::vector<std::string> names;
+  for (const Flag& flag : command.flags) names.push_back(key_of(flag));
+  std::vector<std::string_view> views(names.begin(), names.end());
+  const auto meant = nearest(word.substr(0, word.find('=')), views);
+  return meant ? "; did you mean '" + std::string(*meant) + "'?" : "";
+}
+
+}  // namespace
+
+Arguments Arguments::parse(const Command& command, int argc, const char* const* argv) {
+  Arguments result;
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras(false);
+  std::map<std::string, std::vector<std::string>> values;
+  std::map<std::string, CLI::Option*> options;
+  for (const Flag& flag : command.flags) {
+    const std::string key = key_of(flag), names(flag.name);
+    CLI::Option* const option =
+        flag.value.empty() ? app.add_flag(names) : app.add_option(names, values[key]);
+    if (!flag.value.empty()) option->allow_extra_args(false);
+    if (flag.repeatable) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    options[key] = option;
+  }
+  std::vector<std::string> words;
+  app.add_option("words", words);
+  const auto fix = ": see 'mansard help " + std::string(command.name) + "'";
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    const auto rest = app.remaining();
+    const std::string word = rest.empty() ? "" : rest.front();
+    throw UsageError("unknown flag '" + word + "'" + nearest_flag(command, word) + fix);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + fix);
+  }
+  for (const auto& [key, option] : options) {
+    if (option->count() > 0) result.values_[key] = values[key];
+  }
+  result.positional_ = std::move(words);
+  const std::size_t given = result.positional_.size();
+  if (given < command.least || given > command.most) {
+    throw UsageError("write: mansard " + std::string(command.name) + " " +
+                     std::string(command.usage));
+  }
+  return result;
+}
+
+std::optional<std::string> Arguments::value(std::string_view flag) const {
+  const auto& all = values(flag);
+  return all.empty() ? std::nullopt : std::optional(all.back());
+}
+
+const std::vector<std::string>& Arguments::values(std::string_view flag) const {
+  static const std::vector<std::string> nothing;
+  const auto it = values_.find(flag);
+  return it == values_.end() ? nothing : it->second;
+}
+
+std::string Arguments::text(std::string_view flag, std::string_view fallback) const {
+  return value(flag).value_or(std::string(fallback));
+}
+
+long long Arguments::number(std::string_view flag, long long fallback, long long low,
+                            long long high) const {
+  const auto text = value(flag);
+  if (!text) return fallback;
+  long long result = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), result);
+  if (error != std::errc() || end != text->data() + text->size() || result < low || result > high) {
+    throw UsageError(std::string(flag) + " takes a whole number from " + std::to_string(low) +
+                     " to " + std::to_string(high) + ", not '" + *text + "'");
+  }
+  return result;
+}
+
+}  // namespace mansard

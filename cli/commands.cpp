@@ -1,0 +1,140 @@
+// The rows.
+#include <algorithm>
+#include <array>
+
+#include "cli/command.hpp"
+
+namespace mansard {
+namespace {
+
+constexpr Flag style_flag{"--style", "NAME",
+                          "the style to derive (default: the last one of the file)"};
+constexpr Flag seed_flag{"--seed", "N", "another number, another variation (default 0)"};
+constexpr Flag set_flag{"--set", "NAME=VALUE",
+                        "gives a variable another value: --set Tile.WindowWidth=1.2", true};
+constexpr Flag attr_flag{"--attr", "NAME=VALUE", "a property for every footprint", true};
+constexpr Flag path_flag{"--style-path", "DIR", "where imports and meshes are looked for too",
+                         true};
+constexpr Flag id_flag{"--id", "NAME", "the property that identifies a footprint"};
+constexpr Flag layer_flag{"--layer", "NAME", "the layer of the file to read"};
+constexpr Flag where_flag{"--where", "CONDITION",
+                          "only footprints for which this SQL condition holds"};
+constexpr Flag select_flag{"--select", "id=ID", "only this footprint", true};
+constexpr Flag limit_flag{"--limit", "N", "only the first N footprints"};
+constexpr Flag lod_flag{"--lod", "N",
+                        "level of detail: 1 masses, 2 without relief, 3 everything (default)"};
+constexpr Flag depth_flag{"--max-depth", "N", "how deep a shape tree may grow (default 1000)"};
+constexpr Flag shapes_flag{"--max-shapes", "N",
+                           "how many shapes a building may have (default 5000000)"};
+constexpr Flag strict_flag{"--strict", "", "a shape that no production fits is an error"};
+constexpr Flag keep_flag{"--keep-going", "", "leave out what fails, write the rest, exit with 1"};
+constexpr Flag json_flag{"--json", "", "for machines: JSON"};
+constexpr Flag quiet_flag{"--quiet", "", "no progress and no summary"};
+constexpr Flag color_flag{"--no-color", "", "no colours on a terminal"};
+constexpr Flag threads_flag{"--threads", "N", "how many threads (default: all)"};
+
+constexpr std::array derive_flags{
+    Flag{"-o,--output", "OUT", "the model to write; its ending says the format (.obj)"},
+    style_flag,
+    seed_flag,
+    set_flag,
+    attr_flag,
+    lod_flag,
+    threads_flag,
+    select_flag,
+    limit_flag,
+    id_flag,
+    layer_flag,
+    where_flag,
+    Flag{"--report", "FILE.json", "counts, areas and report() values"},
+    Flag{"--up", "y|z", "which axis points up in the model (default y)"},
+    path_flag,
+    depth_flag,
+    shapes_flag,
+    strict_flag,
+    keep_flag,
+    json_flag,
+    quiet_flag,
+    color_flag};
+constexpr std::array check_flags{path_flag, set_flag, json_flag, quiet_flag, color_flag};
+constexpr std::array tree_flags{
+    style_flag,
+    seed_flag,
+    set_flag,
+    attr_flag,
+    lod_flag,
+    select_flag,
+    id_flag,
+    layer_flag,
+    where_flag,
+    Flag{"--symbol", "NAME", "only what hangs below shapes of this symbol"},
+    Flag{"--depth", "N", "only this many levels"},
+    Flag{"--dot", "", "a graph for Graphviz"},
+    path_flag,
+    depth_flag,
+    shapes_flag,
+    strict_flag,
+    json_flag,
+    quiet_flag,
+    color_flag};
+constexpr std::array render_flags{
+    Flag{"-o,--output", "PICTURE.png", "the picture to write"},
+    Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: eye and target in metres"},
+    Flag{"--size", "WxH", "pixels (default 1200x800)"},
+    style_flag,
+    seed_flag,
+    set_flag,
+    attr_flag,
+    lod_flag,
+    threads_flag,
+    select_flag,
+    limit_flag,
+    id_flag,
+    layer_flag,
+    where_flag,
+    path_flag,
+    depth_flag,
+    shapes_flag,
+    strict_flag,
+    keep_flag,
+    json_flag,
+    quiet_flag,
+    color_flag};
+constexpr std::array help_flags{json_flag};
+
+constexpr std::array rows{
+    Command{"derive", "FILE.style FOOTPRINTS -o OUT", "derives a building for every footprint", 2,
+            2, derive_flags,
+            "mansard derive terrace.style rect:6x10 -o terrace.obj\n"
+            "mansard derive quarter.style footprints.geojson --seed 7 -o quarter.obj",
+            run_derive},
+    Command{"check", "FILE.style...",
+            "reads, links and checks scripts without deriving: every error and warning at once", 1,
+            10000, check_flags, "mansard check terrace.style", run_check},
+    Command{"tree", "FILE.style FOOTPRINT", "prints the shape tree of a footprint", 2, 2,
+            tree_flags,
+            "mansard tree terrace.style rect:6x10 --depth 3\nmansard tree terrace.style rect:6x10 "
+            "--symbol TILE",
+            run_tree},
+    Command{"render", "MODEL | FILE.style FOOTPRINTS -o PICTURE.png",
+            "draws a model, or what a style makes of footprints", 1, 2, render_flags,
+            "mansard render terrace.style rect:6x10 -o terrace.png\nmansard render quarter.obj "
+            "--camera street -o street.png",
+            run_render},
+    Command{"help", "[TOPIC]",
+            "explains a command, an operation, a function, a warning or a topic of the language", 0,
+            1, help_flags,
+            "mansard help derive\nmansard help roof\nmansard help sizes\nmansard help W010",
+            run_help},
+};
+
+}  // namespace
+
+std::span<const Command> commands() { return rows; }
+
+const Command* find_command(std::string_view name) {
+  const auto it = std::ranges::find(rows, name, &Command::name);
+  return it == rows.end() ? nullptr : &*it;
+}
+
+}  // namespace mansard

@@ -1,0 +1,129 @@
+// mansard derive
+#include <chrono>
+#include <set>
+
+#include "cli/derive_all.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+
+namespace mansard {
+namespace {
+
+struct Job {
+  Session& session;
+  const Arguments& arguments;
+  std::string out;
+};
+
+Up up_of(const Arguments& arguments) {
+  const std::string up = arguments.text("--up", "y");
+  if (up != "y" && up != "z") throw UsageError("--up takes y or z, not '" + up + "'");
+  return up == "y" ? Up::y : Up::z;
+}
+
+std::string output_of(const Arguments& arguments) {
+  const auto out = arguments.value("--output");
+  if (!out) throw UsageError("say where the model goes: -o OUT.obj");
+  if (!out->ends_with(".obj")) {
+    throw UsageError("'" + *out + "' has no ending that this version writes: it writes .obj");
+  }
+  return *out;
+}
+
+std::string head_comment(const Session& session, const FootprintSet& set,
+                         const DeriveOptions& options) {
+  const Program& program = session.program();
+  return "style " + std::string(program.styles[program.main_style].name) + ", seed " +
+         std::to_string(options.seed) + (set.origin.empty() ? "" : "\n" + set.origin);
+}
+
+/// Warnings of one place are said once a run.
+class Warnings {
+ public:
+  void print(const Session& session, const Building& building) {
+    for (const Diagnostic& d : building.warnings) {
+      if (said_
+              .emplace(std::string(d.code), d.at.source, d.at.begin, d.code == "W012" ? d.text : "")
+              .second) {
+        session.print(d);
+      }
+    }
+  }
+
+ private:
+  std::set<std::tuple<std::string, const Source*, uint32_t, std::string>> said_;
+};
+
+std::string summary(const Report& report, std::size_t bytes, const std::string& out) {
+  return std::to_string(report.buildings) +
+         (report.buildings == 1 ? " building, " : " buildings, ") + std::to_string(report.shapes) +
+         " shapes, " + std::to_string(report.polygons) + " polygons, " +
+         std::to_string(bytes / 1000) + " kB: " + out;
+}
+
+int derive(Job& job) {
+  const DeriveOptions options = derive_options(job.arguments);
+  const bool keep_going = job.arguments.has("--keep-going");
+  std::size_t broken = 0;
+  const FootprintSet set =
+      footprints(job.session, job.arguments.positional()[1], job.arguments, broken);
+  const auto started = std::chrono::steady_clock::now();
+  const auto writer =
+      write_obj(job.out, up_of(job.arguments), head_comment(job.session, set, options));
+  const Program& program = job.session.program();
+  std::vector<std::string_view> symbols;
+  for (uint32_t i = 0; i < program.symbols.size(); ++i) symbols.push_back(program.symbols[i]);
+  Looks looks(program);
+  Report report(program);
+  Warnings warnings;
+  const Totals totals = [&] {
+    Progress progress(set.footprints.size(), job.session.quiet());
+    return derive_all(job.session, set.footprints, options,
+                      static_cast<int>(job.arguments.number("--threads", 0, 1, 1024)), keep_going,
+                      [&](Derived& derived) {
+                        Building& building = derived.building;
+                        warnings.print(job.session, building);
+                        for (const std::string& line : building.printed)
+                          job.session.say(building.id + ": " + line);
+                        progress.step();
+                        if (derived.error) {
+                          job.session.print(*derived.error);
+                          return report.add_failure(building.id, *derived.error);
+                        }
+                        looks.adopt(building);
+                        report.add(building);
+                        writer->add({building.id, &building.surface}, symbols, looks.all());
+                      });
+  }();
+  if (totals.interrupted) {
+    job.session.say("interrupted: nothing was written");
+    return 130;
+  }
+  if (totals.failed > 0 && !keep_going) return exit_input;
+  const std::size_t bytes = writer->finish(looks.all());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+  if (const auto path = job.arguments.value("--report")) report.write(*path, seconds.count());
+  job.session.say(summary(report, bytes, job.out));
+  if (report.parts_cut > 0)
+    job.session.say("note: " + std::to_string(report.parts_cut) +
+                    " parts of splits were cut for want of room");
+  if (report.roof_fallbacks > 0)
+    job.session.say("note: " + std::to_string(report.roof_fallbacks) +
+                    " roofs had to be made by a simpler construction");
+  if (totals.failed + broken > 0)
+    job.session.say(std::to_string(totals.failed + broken) + " footprints were left out");
+  return totals.failed + broken > 0 ? exit_input : exit_done;
+}
+
+}  // namespace
+
+int run_derive(const Arguments& arguments) {
+  Session session(arguments);
+  Job job{session, arguments, output_of(arguments)};
+  up_of(arguments);
+  if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
+  return derive(job);
+}
+
+}  // namespace mansard

@@ -1,0 +1,170 @@
+// mansard help
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/topics.hpp"
+#include "grammar/codes.hpp"
+#include "grammar/parse.hpp"
+#include "interpreter/function.hpp"
+#include "interpreter/operation.hpp"
+
+namespace mansard {
+namespace {
+
+std::string quoted_usage(const Operation& o) {
+  std::string text = std::string(o.name) + "(" + std::string(o.args) + ")";
+  switch (o.rule) {
+    case PartRule::without:
+      break;
+    case PartRule::body:
+      text += " { PART }";
+      break;
+    case PartRule::named:
+      text += " { " + std::string(o.parts) + " }";
+      break;
+    case PartRule::sizes:
+      text += " { PART | ... }";
+      break;
+    case PartRule::pattern:
+      text += " { size : PART | { size : PART | ... }* }";
+      break;
+    case PartRule::selectors:
+      text += " { selector : PART | ... }";
+      break;
+  }
+  return text;
+}
+
+void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
+
+void overview() {
+  print("mansard: buildings from footprints and .style scripts\n\nCommands\n");
+  for (const Command& c : commands()) {
+    std::printf("  %-8s %s\n", std::string(c.name).c_str(), std::string(c.summary).c_str());
+  }
+  print("\nTopics: ");
+  for (const Topic& t : topics()) print(std::string(t.name) + " ");
+  print(
+      "operations functions warnings\n\nmansard help COMMAND, an operation, a function or a "
+      "warning says more.\n");
+}
+
+void command_page(const Command& c) {
+  print("mansard " + std::string(c.name) + " " + std::string(c.usage) + "\n\n  " +
+        std::string(c.summary) + "\n\n");
+  for (const Flag& f : c.flags) {
+    const std::string left =
+        std::string(f.name) + (f.value.empty() ? "" : " " + std::string(f.value));
+    std::printf("  %-24s %s%s\n", left.c_str(), std::string(f.summary).c_str(),
+                f.repeatable ? " (repeatable)" : "");
+  }
+  print("\nExamples\n");
+  std::string_view rest = c.examples;
+  while (!rest.empty()) {
+    const auto end = rest.find('\n');
+    print("  " + std::string(rest.substr(0, end)) + "\n");
+    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
+  }
+}
+
+void operation_page(const Operation& o) {
+  print(quoted_usage(o) + "\n\n  " + std::string(o.summary) + "\n");
+  if (!o.example.empty()) print("\nExample\n  FOOTPRINT -> " + std::string(o.example) + "\n");
+}
+
+void function_page(const Function& f) {
+  print(std::string(f.name) + "(" + std::string(f.args) + ")\n\n  " + std::string(f.summary) +
+        "\n\nExample\n  " + std::string(f.example) + "\n");
+}
+
+void operations_list() {
+  std::string_view group;
+  for (const Operation& o : operations()) {
+    if (o.group != group)
+      std::printf("%s%s\n", group.empty() ? "" : "\n", std::string(o.group).c_str());
+    group = o.group;
+    std::printf("  %s\n      %s\n", quoted_usage(o).c_str(), std::string(o.summary).c_str());
+  }
+}
+
+void functions_list() {
+  for (const Function& f : functions()) {
+    std::printf("%s(%s)\n    %s\n", std::string(f.name).c_str(), std::string(f.args).c_str(),
+                std::string(f.summary).c_str());
+  }
+}
+
+void codes_list() {
+  for (const CodePage& c : code_pages()) {
+    std::printf("%s  %s\n", std::string(c.code).c_str(), std::string(c.title).c_str());
+  }
+}
+
+void all_as_json() {
+  nlohmann::ordered_json json;
+  for (const Command& c : commands()) {
+    nlohmann::ordered_json flags = nlohmann::ordered_json::array();
+    for (const Flag& f : c.flags)
+      flags.push_back({{"name", f.name}, {"value", f.value}, {"summary", f.summary}});
+    json["commands"].push_back(
+        {{"name", c.name}, {"usage", c.usage}, {"summary", c.summary}, {"flags", flags}});
+  }
+  for (const Operation& o : operations()) {
+    json["operations"].push_back({{"name", o.name},
+                                  {"group", o.group},
+                                  {"usage", quoted_usage(o)},
+                                  {"summary", o.summary},
+                                  {"example", o.example}});
+  }
+  for (const Function& f : functions()) {
+    json["functions"].push_back(
+        {{"name", f.name}, {"args", f.args}, {"summary", f.summary}, {"example", f.example}});
+  }
+  for (const CodePage& c : code_pages())
+    json["warnings"].push_back({{"code", c.code}, {"title", c.title}, {"page", c.page}});
+  json["keywords"] = nlohmann::ordered_json::array();
+  for (const std::string_view k : keywords()) json["keywords"].push_back(k);
+  print(json.dump(1) + "\n");
+}
+
+bool page(std::string_view topic) {
+  if (topic == "operations") return operations_list(), true;
+  if (topic == "functions") return functions_list(), true;
+  if (topic == "warnings") return codes_list(), true;
+  if (const Command* c = find_command(topic)) return command_page(*c), true;
+  if (const Operation* o = find_operation(topic)) return operation_page(*o), true;
+  if (const Function* f = find_function(topic)) return function_page(*f), true;
+  if (const CodePage* c = find_code(topic)) {
+    print(std::string(c->code) + ": " + std::string(c->title) + "\n\n" + std::string(c->page) +
+          "\n");
+    return true;
+  }
+  for (const Topic& t : topics()) {
+    if (t.name != topic) continue;
+    print(std::string(t.title) + "\n\n" + std::string(t.page) + "\n");
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int run_help(const Arguments& arguments) {
+  if (arguments.has("--json")) return all_as_json(), exit_done;
+  if (arguments.positional().empty()) return overview(), exit_done;
+  const std::string& topic = arguments.positional()[0];
+  if (page(topic)) return exit_done;
+  std::vector<std::string_view> known{"operations", "functions", "warnings"};
+  for (const Command& c : commands()) known.push_back(c.name);
+  for (const Operation& o : operations()) known.push_back(o.name);
+  for (const Function& f : functions()) known.push_back(f.name);
+  for (const Topic& t : topics()) known.push_back(t.name);
+  const auto meant = nearest(topic, known);
+  throw UsageError(
+      "no help on '" + topic + "'" +
+      (meant ? "; did you mean '" + std::string(*meant) + "'?" : ": see 'mansard help'"));
+}
+
+}  // namespace mansard

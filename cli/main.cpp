@@ -1,0 +1,63 @@
+// mansard: buildings from footprints and .style scripts.
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "grammar/diagnostic.hpp"
+
+namespace mansard {
+namespace {
+
+const Command& command_of(const char* word) {
+  if (const Command* found = find_command(word)) return *found;
+  std::vector<std::string_view> names;
+  for (const Command& c : commands()) names.push_back(c.name);
+  const auto meant = nearest(word, names);
+  throw UsageError("unknown command '" + std::string(word) + "'" +
+                   (meant ? "; did you mean '" + std::string(*meant) + "'?" : "") +
+                   ": see 'mansard help'");
+}
+
+int run(int argc, char** argv) {
+  const char* word = argc > 1 ? argv[1] : "help";
+  if (std::strcmp(word, "--help") == 0 || std::strcmp(word, "-h") == 0) word = "help";
+  if (std::strcmp(word, "--version") == 0) {
+    std::printf("mansard %s\n", MANSARD_VERSION);
+    return exit_done;
+  }
+  const Command& command = command_of(word);
+  for (int i = 2; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--help") == 0 || std::strcmp(argv[i], "-h") == 0) {
+      const char* const topic[] = {"help", word};
+      return run_help(Arguments::parse(*find_command("help"), 2, topic));
+    }
+  }
+  const int shift = argc > 1 ? 1 : 0;
+  return command.run(Arguments::parse(command, argc - shift, argv + shift));
+}
+
+void print(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+}  // namespace
+}  // namespace mansard
+
+int main(int argc, char** argv) {
+  using namespace mansard;
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    print("error: " + error.text + "\n");
+    return exit_usage;
+  } catch (const Failure& failure) {
+    print(to_text(failure.diagnostic));
+    return exit_input;
+  } catch (const std::bad_alloc&) {
+    print("error: out of memory\n");
+    return exit_internal;
+  } catch (const std::exception& error) {
+    print("internal error: " + std::string(error.what()) + "\n");
+    return exit_internal;
+  }
+}

@@ -1,0 +1,69 @@
+#include "cli/output.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace mansard {
+namespace {
+
+Look look_of(const Material& m) { return {m.name, m.color, m.opacity, m.texture}; }
+
+std::string key_of(const Material& m) {
+  char text[160];
+  std::snprintf(text, sizeof text, "|%.6f|%.6f|%.6f|%.6f|", m.color.x, m.color.y, m.color.z,
+                m.opacity);
+  return m.name + text + m.texture;
+}
+
+}  // namespace
+
+Looks::Looks(const Program& program) : shared_(program.materials.size()) {
+  for (const Material& m : program.materials) looks_.push_back(look_of(m));
+}
+
+uint32_t Looks::number(const Material& material) {
+  const auto [it, fresh] =
+      numbers_.try_emplace(key_of(material), static_cast<uint32_t>(looks_.size()));
+  if (!fresh) return it->second;
+  Look look = look_of(material);
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::any_of(looks_, [&](const Look& l) { return l.name == name; });
+  };
+  for (int i = 2; taken(look.name); ++i) look.name = material.name + "_" + std::to_string(i);
+  looks_.push_back(std::move(look));
+  return it->second;
+}
+
+void Looks::adopt(Building& building) {
+  if (building.materials.empty()) return;
+  std::vector<uint32_t> numbers;
+  for (const Material& m : building.materials) numbers.push_back(number(m));
+  for (Surface::Run& run : building.surface.runs) {
+    if (run.material >= shared_) run.material = numbers[run.material - shared_];
+  }
+}
+
+Vec3 linear(Vec3 c) {
+  const auto decode = [](double v) {
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  return {decode(c.x), decode(c.y), decode(c.z)};
+}
+
+bool is_glass(std::string_view name, double opacity) {
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return opacity < 1 || lower.find("glass") != std::string::npos ||
+         lower.find("window") != std::string::npos;
+}
+
+std::vector<Paint> Looks::paints() const {
+  std::vector<Paint> paints;
+  for (const Look& l : looks_)
+    paints.push_back({linear(l.color), is_glass(l.name, l.opacity), l.texture});
+  return paints;
+}
+
+}  // namespace mansard

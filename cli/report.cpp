@@ -1,0 +1,87 @@
+#include "cli/report.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace mansard {
+
+void Report::add(const Building& building) {
+  ++buildings;
+  shapes += building.shapes;
+  operations += building.operations;
+  polygons += building.surface.polygons();
+  vertices += building.surface.points.size();
+  parts_cut += building.parts_cut;
+  unmatched += building.unmatched;
+  roof_fallbacks += building.roof_fallbacks;
+  for (std::size_t i = 0; i < building.terminals.size(); ++i)
+    terminals_[i] += building.terminals[i];
+  std::size_t polygon = 0;
+  for (const Surface::Run& run : building.surface.runs) {
+    for (; polygon < run.end; ++polygon)
+      areas_[run.symbol] += length(newell(building.surface.loop(polygon))) / 2;
+  }
+  for (const auto& [key, entry] : building.report) {
+    ReportEntry& sum = values_[key];
+    sum.least = sum.count == 0 ? entry.least : std::min(sum.least, entry.least);
+    sum.most = sum.count == 0 ? entry.most : std::max(sum.most, entry.most);
+    sum.count += entry.count;
+    sum.sum += entry.sum;
+    for (const auto& [text, count] : entry.strings) sum.strings[text] += count;
+  }
+}
+
+void Report::add_failure(const std::string& id, const Diagnostic& diagnostic) {
+  failures_.emplace_back(id, diagnostic.text);
+}
+
+void Report::write(const std::string& path, double seconds) const {
+  using nlohmann::ordered_json;
+  ordered_json json;
+  json["buildings"] = buildings;
+  json["failed"] = ordered_json::array();
+  for (const auto& [id, text] : failures_) json["failed"].push_back({{"id", id}, {"error", text}});
+  json["shapes"] = shapes;
+  json["operations"] = operations;
+  json["polygons"] = polygons;
+  json["vertices"] = vertices;
+  json["seconds"] = seconds;
+  json["parts_cut"] = parts_cut;
+  json["shapes_without_production"] = unmatched;
+  json["roof_fallbacks"] = roof_fallbacks;
+  json["terminals"] = ordered_json::object();
+  for (uint32_t i = 0; i < terminals_.size(); ++i) {
+    if (terminals_[i] == 0) continue;
+    json["terminals"][std::string(program_.symbols[i])] = {{"count", terminals_[i]},
+                                                           {"area", areas_[i]}};
+  }
+  json["report"] = ordered_json::object();
+  for (const auto& [key, entry] : values_) {
+    ordered_json value{{"count", entry.count}};
+    if (entry.strings.empty()) {
+      value["sum"] = entry.sum;
+      value["min"] = entry.least;
+      value["max"] = entry.most;
+      value["average"] = entry.sum / static_cast<double>(entry.count);
+    } else {
+      value["values"] = entry.strings;
+    }
+    json["report"][key] = value;
+  }
+  const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  const std::string beside = path + ".part";
+  std::FILE* const file = std::fopen(beside.c_str(), "wb");
+  const bool written = file && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = file && std::fclose(file) == 0;
+  if (written && closed && std::rename(beside.c_str(), path.c_str()) == 0) return;
+  const std::string why = std::strerror(errno);
+  std::remove(beside.c_str());
+  Diagnostic d;
+  d.text = "can not write '" + path + "': " + why;
+  throw Failure(std::move(d));
+}
+
+}  // namespace mansard

@@ -1,0 +1,33 @@
+// What --report writes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "interpreter/building.hpp"
+#include "interpreter/program.hpp"
+
+namespace mansard {
+
+class Report {
+ public:
+  explicit Report(const Program& program)
+      : program_(program), terminals_(program.symbols.size()), areas_(program.symbols.size()) {}
+  void add(const Building& building);
+  void add_failure(const std::string& id, const Diagnostic& diagnostic);
+  /// Whole or not at all; throws Failure.
+  void write(const std::string& path, double seconds) const;
+
+  std::size_t shapes = 0, operations = 0, polygons = 0, vertices = 0, buildings = 0;
+  std::size_t parts_cut = 0, unmatched = 0, roof_fallbacks = 0;
+
+ private:
+  const Program& program_;
+  std::vector<std::size_t> terminals_;
+  std::vector<double> areas_;
+  std::map<std::string, ReportEntry> values_;
+  std::vector<std::pair<std::string, std::string>> failures_;
+};
+
+}  // namespace mansard

@@ -1,0 +1,135 @@
+#include "cli/session.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "formats/meshes.hpp"
+
+namespace mansard {
+
+const Mesh* DiskMeshes::mesh(const std::string& path, std::string& problem) {
+  const std::scoped_lock lock(mutex_);
+  auto [it, fresh] = known_.try_emplace(path);
+  if (fresh) it->second.mesh = read_mesh(path, it->second.problem);
+  problem = it->second.problem;
+  return it->second.mesh ? &*it->second.mesh : nullptr;
+}
+
+namespace {
+
+/// Beside the program when it is installed, else in the sources it was built from.
+std::vector<std::string> style_path(const Arguments& arguments) {
+  std::vector<std::string> path = arguments.values("--style-path");
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto installed = program.parent_path() / ".." / "share" / "mansard" / "styles";
+  if (!error && std::filesystem::is_directory(installed, error))
+    path.push_back(installed.lexically_normal().string());
+  path.emplace_back(MANSARD_STYLE_LIBRARY);
+  return path;
+}
+
+std::pair<std::string, std::string> name_and_value(const std::string& text, std::string_view flag) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UsageError(std::string(flag) + " takes NAME=VALUE, not '" + text + "'");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+}  // namespace
+
+Session::Session(const Arguments& arguments)
+    : library_(files_, style_path(arguments)),
+      json_(arguments.has("--json")),
+      color_(!arguments.has("--no-color") && isatty(STDERR_FILENO) == 1),
+      quiet_(arguments.has("--quiet")) {}
+
+void Session::print(const Diagnostic& diagnostic) const {
+  const std::string text = json_ ? to_json(diagnostic) + "\n" : to_text(diagnostic, color_);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void Session::say(const std::string& line) const {
+  if (!quiet_) std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+bool Session::compile(const std::string& script, const CompileOptions& options) {
+  Diagnostics diagnostics;
+  const bool read = library_.load(script, diagnostics) != nullptr;
+  if (read && !diagnostics.has_errors())
+    program_ = mansard::compile(library_, meshes_, options, diagnostics);
+  diagnostics.sort();
+  for (const Diagnostic& d : diagnostics.all()) print(d);
+  return program_ != nullptr;
+}
+
+CompileOptions compile_options(const Arguments& arguments) {
+  CompileOptions options;
+  options.style = arguments.text("--style", "");
+  for (const std::string& text : arguments.values("--set"))
+    options.settings.push_back(name_and_value(text, "--set"));
+  return options;
+}
+
+DeriveOptions derive_options(const Arguments& arguments) {
+  DeriveOptions options;
+  options.seed = static_cast<uint64_t>(arguments.number("--seed", 0, 0, 1'000'000'000'000'000));
+  options.lod = static_cast<int>(arguments.number("--lod", 3, 1, 3));
+  options.max_depth = static_cast<uint32_t>(arguments.number("--max-depth", 1000, 1, 60000));
+  options.max_shapes =
+      static_cast<std::size_t>(arguments.number("--max-shapes", 5'000'000, 1, 1'000'000'000));
+  options.strict = arguments.has("--strict");
+  return options;
+}
+
+FootprintOptions footprint_options(const Arguments& arguments) {
+  FootprintOptions options;
+  options.id = arguments.text("--id", "");
+  options.layer = arguments.text("--layer", "");
+  options.where = arguments.text("--where", "");
+  options.limit = static_cast<std::size_t>(arguments.number("--limit", 0, 1, 1'000'000'000));
+  for (const std::string& text : arguments.values("--select")) {
+    const auto [name, value] = name_and_value(text, "--select");
+    if (name != "id") throw UsageError("--select takes id=ID, not '" + text + "'");
+    options.select.push_back(value);
+  }
+  for (const std::string& text : arguments.values("--attr")) {
+    const auto [name, value] = name_and_value(text, "--attr");
+    options.attributes.push_back({name, value});
+  }
+  return options;
+}
+
+FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
+                        std::size_t& failed) {
+  FootprintSet set = read_footprints(what, footprint_options(arguments));
+  constexpr std::size_t most_notes = 10;
+  std::size_t repaired = 0;
+  for (const FootprintNote& note : set.notes) {
+    const std::string text =
+        note.id.empty() ? note.text : "footprint '" + note.id + "': " + note.text;
+    if (note.broken && !arguments.has("--keep-going")) {
+      Diagnostic d;
+      d.text = text;
+      d.help = "--keep-going leaves it out and derives the rest";
+      throw Failure(std::move(d));
+    }
+    if (note.broken) {
+      ++failed;
+      Diagnostic d;
+      d.text = text + "; it is left out";
+      session.print(d);
+    } else if (++repaired <= most_notes) {
+      session.say("note: " + text);
+    }
+  }
+  if (repaired > most_notes)
+    session.say("note: and " + std::to_string(repaired - most_notes) + " more like these");
+  mark_neighbours(set.footprints);
+  return set;
+}
+
+}  // namespace mansard

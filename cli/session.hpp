@@ -1,0 +1,62 @@
+// What every command that compiles a style needs: the disk, the library, the program.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "cli/arguments.hpp"
+#include "formats/footprints.hpp"
+#include "interpreter/derivation.hpp"
+#include "interpreter/program.hpp"
+#include "styles/library.hpp"
+
+namespace mansard {
+
+/// Meshes from disk, each read once.
+class DiskMeshes final : public MeshSource {
+ public:
+  const Mesh* mesh(const std::string& path, std::string& problem) override;
+
+ private:
+  struct Entry {
+    std::optional<Mesh> mesh;
+    std::string problem;
+  };
+  std::mutex mutex_;
+  std::unordered_map<std::string, Entry> known_;
+};
+
+class Session {
+ public:
+  explicit Session(const Arguments& arguments);
+
+  /// Loads and compiles; false after errors, which are printed.
+  bool compile(const std::string& script, const CompileOptions& options);
+  const Program& program() const { return *program_; }
+  MeshSource& meshes() { return meshes_; }
+  Library& library() { return library_; }
+
+  /// To standard error: text, or a JSON object a line with --json.
+  void print(const Diagnostic& diagnostic) const;
+  void say(const std::string& line) const;  ///< unless --quiet
+  bool quiet() const { return quiet_; }
+
+ private:
+  DiskFiles files_;
+  Library library_;
+  DiskMeshes meshes_;
+  std::unique_ptr<Program> program_;
+  bool json_, color_, quiet_;
+};
+
+CompileOptions compile_options(const Arguments& arguments);
+DeriveOptions derive_options(const Arguments& arguments);
+FootprintOptions footprint_options(const Arguments& arguments);
+/// Reads, marks neighbours, says what was repaired. With `keep_going` broken footprints are
+/// reported and left out (`failed` counts them), else they are a Failure.
+FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
+                        std::size_t& failed);
+
+}  // namespace mansard

@@ -1,0 +1,164 @@
+// mansard tree
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/session.hpp"
+
+namespace mansard {
+namespace {
+
+struct Tree {
+  const Program& program;
+  const std::vector<TreeNode>& nodes;
+  std::vector<std::vector<uint32_t>> children;
+  long long depth;
+
+  Tree(const Program& p, const std::vector<TreeNode>& n, long long d)
+      : program(p), nodes(n), children(n.size()), depth(d) {
+    for (uint32_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i].parent != Shape::none) children[nodes[i].parent].push_back(i);
+    }
+  }
+  std::string symbol(uint32_t i) const {
+    return std::string(program.symbols[nodes[i].shape.symbol]);
+  }
+
+  /// Depth-first, without recursion: f(node, level).
+  template <class F>
+  void walk(uint32_t root, F f) const {
+    std::vector<std::pair<uint32_t, long long>> stack{{root, 0}};
+    while (!stack.empty()) {
+      const auto [i, level] = stack.back();
+      stack.pop_back();
+      f(i, level);
+      if (level + 1 >= depth) continue;
+      for (auto c = children[i].rbegin(); c != children[i].rend(); ++c)
+        stack.emplace_back(*c, level + 1);
+    }
+  }
+};
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", std::abs(v) < 1e-9 ? 0.0 : v);
+  return text;
+}
+
+std::string_view form_name(Form form) {
+  constexpr std::string_view names[] = {"nothing", "line",  "rectangle", "polygon",
+                                        "box",     "prism", "mesh"};
+  return names[static_cast<int>(form)];
+}
+
+std::string line_of(const Tree& tree, uint32_t i) {
+  const Shape& s = tree.nodes[i].shape;
+  std::string line = tree.symbol(i);
+  if (!std::isnan(s.index)) line += "[" + number(s.index) + "]";
+  line += "  " + number(s.scope.size.x) + " x " + number(s.scope.size.y) + " x " +
+          number(s.scope.size.z);
+  if (s.style != tree.program.main_style)
+    line += "  (" + std::string(tree.program.styles[s.style].name) + ")";
+  return line;
+}
+
+void print_text(const Tree& tree, uint32_t root) {
+  tree.walk(root, [&](uint32_t i, long long level) {
+    std::printf("%*s%s\n", static_cast<int>(2 * level), "", line_of(tree, i).c_str());
+  });
+}
+
+void print_dot(const Tree& tree, const std::vector<uint32_t>& roots) {
+  std::printf("digraph shapes {\n  node [shape=box, fontname=\"sans-serif\"];\n");
+  for (const uint32_t root : roots) {
+    tree.walk(root, [&](uint32_t i, long long level) {
+      std::printf("  n%u [label=\"%s\"];\n", i, line_of(tree, i).c_str());
+      if (level > 0) std::printf("  n%u -> n%u;\n", tree.nodes[i].parent, i);
+    });
+  }
+  std::printf("}\n");
+}
+
+void print_json(const Tree& tree, const std::vector<uint32_t>& roots) {
+  auto all = nlohmann::ordered_json::array();
+  for (const uint32_t root : roots) {
+    tree.walk(root, [&](uint32_t i, long long level) {
+      const TreeNode& node = tree.nodes[i];
+      const Vec3 o = node.shape.scope.origin, s = node.shape.scope.size;
+      nlohmann::ordered_json json{{"node", i},
+                                  {"symbol", tree.symbol(i)},
+                                  {"terminal", node.terminal},
+                                  {"form", form_name(node.shape.form)},
+                                  {"size", {s.x, s.y, s.z}},
+                                  {"origin", {o.x, o.y, o.z}},
+                                  {"style", tree.program.styles[node.shape.style].name}};
+      json["parent"] =
+          level > 0 ? nlohmann::ordered_json(node.parent) : nlohmann::ordered_json(nullptr);
+      if (!std::isnan(node.shape.index)) json["index"] = node.shape.index;
+      if (node.shape.label != Shape::none) json["label"] = tree.program.symbols[node.shape.label];
+      all.push_back(std::move(json));
+    });
+  }
+  std::printf("%s\n",
+              all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+}
+
+/// The topmost shapes of a symbol.
+std::vector<uint32_t> roots_of(const Tree& tree, const std::string& symbol) {
+  std::vector<uint32_t> roots;
+  std::vector<bool> covered(tree.nodes.size(), false);
+  for (uint32_t i = 0; i < tree.nodes.size(); ++i) {  // parents come before their children
+    const uint32_t parent = tree.nodes[i].parent;
+    covered[i] = parent != Shape::none && covered[parent];
+    if (!covered[i] && tree.symbol(i) == symbol) {
+      roots.push_back(i);
+      covered[i] = true;
+    }
+  }
+  return roots;
+}
+
+}  // namespace
+
+int run_tree(const Arguments& arguments) {
+  Session session(arguments);
+  if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
+  std::size_t broken = 0;
+  const FootprintSet set = footprints(session, arguments.positional()[1], arguments, broken);
+  if (set.footprints.empty()) {
+    Diagnostic d;
+    d.text = "there is no footprint to derive";
+    throw Failure(std::move(d));
+  }
+  if (set.footprints.size() > 1) {
+    session.say("note: the tree is of the first of " + std::to_string(set.footprints.size()) +
+                " footprints, '" + set.footprints[0].id + "'; --select id=ID chooses another");
+  }
+  DeriveOptions options = derive_options(arguments);
+  options.keep_tree = true;
+  Derivation derivation(session.program(), session.meshes(), options);
+  Building building;
+  derivation.derive(set.footprints[0], building);
+  for (const Diagnostic& d : building.warnings) session.print(d);
+  const Tree tree(session.program(), building.tree,
+                  arguments.number("--depth", 1'000'000, 1, 1'000'000));
+  std::vector<uint32_t> roots{0};
+  if (const auto symbol = arguments.value("--symbol")) {
+    roots = roots_of(tree, *symbol);
+    if (roots.empty()) {
+      Diagnostic d;
+      d.text = "no shape of symbol '" + *symbol + "' was derived";
+      throw Failure(std::move(d));
+    }
+  }
+  if (arguments.has("--json")) {
+    print_json(tree, roots);
+  } else if (arguments.has("--dot")) {
+    print_dot(tree, roots);
+  } else {
+    for (const uint32_t root : roots) print_text(tree, root);
+  }
+  return exit_done;
+}
+
+}  // namespace mansard

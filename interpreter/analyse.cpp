@@ -1,0 +1,199 @@
+// What can be known before any shape is derived: which variables read the shape, what is constant,
+// which types can not meet.
+#include <algorithm>
+
+#include "interpreter/compiler.hpp"
+#include "interpreter/machine.hpp"
+#include "interpreter/messages.hpp"
+
+namespace mansard {
+
+void Compiler::mark_settable() {
+  for (VariableSlot& v : program_.variables) v.settable = set_somewhere_.contains(v.setting);
+}
+
+/// A variable reads the shape if its expression does, directly or through others. The walk also
+/// finds variables that read themselves.
+void Compiler::find_shape_readers() {
+  std::vector<uint8_t> state(program_.variables.size(), 0);  // 0 new, 1 being read, 2 done
+  for (uint32_t i = 0; i < program_.variables.size(); ++i) {
+    attempt(program_.main_style, {}, [&] { variable_reads_shape(i, state); });
+  }
+}
+
+bool Compiler::variable_reads_shape(uint32_t slot, std::vector<uint8_t>& state) {
+  VariableSlot& v = program_.variables[slot];
+  if (state[slot] == 2) return v.reads_shape;
+  const Span at = v.binding ? v.binding->syntax->at : Span{};
+  if (state[slot] == 1) {
+    state[slot] = 2;
+    refuse(at, "variable '" + v.name + "' is defined by itself");
+  }
+  state[slot] = 1;
+  bool reads = v.settable || v.per != VariableSlot::Per::building;
+  if (v.value != none && reads_shape(v.value, state)) reads = true;
+  state[slot] = 2;
+  v.reads_shape = reads;
+  return reads;
+}
+
+bool Compiler::reads_shape(ExprId id, std::vector<uint8_t>& state) {
+  const ExprNode& n = program_.nodes[id];
+  bool reads =
+      n.kind == ExprKind::attribute || n.kind == ExprKind::fits || n.kind == ExprKind::definition;
+  if (n.kind == ExprKind::variable) reads = variable_reads_shape(n.first, state);
+  for (uint32_t i = 0; i < n.count; ++i) {
+    if (reads_shape(program_.children[n.children + i], state)) reads = true;
+  }
+  return reads;
+}
+
+/// Children come before their parents, so one pass folds all. What fails when folded fails always.
+void Compiler::fold_constants() {
+  struct NoMeshes final : MeshSource {
+    const Mesh* mesh(const std::string&, std::string&) override { return nullptr; }
+  } meshes;
+  Machine machine(program_, meshes, {});
+  for (ExprId id = 0; id < program_.nodes.size(); ++id) {
+    const ExprNode n = program_.nodes[id];
+    const bool random = n.kind == ExprKind::call && functions()[n.aux].random;
+    if (n.kind < ExprKind::list || n.kind == ExprKind::definition || random) continue;
+    const bool constant = std::all_of(
+        program_.children.begin() + n.children, program_.children.begin() + n.children + n.count,
+        [&](ExprId child) { return program_.nodes[child].kind == ExprKind::constant; });
+    if (!constant) continue;
+    try {
+      Value value = machine.evaluate(id, Env{});
+      if (value.type == Type::string)
+        value.text = program_.texts.emplace_back(value.string()).data();
+      if (value.type == Type::list) {
+        const auto& kept = program_.lists.emplace_back(value.list().begin(), value.list().end());
+        value.items = kept.data();
+      }
+      program_.nodes[id] = ExprNode{
+          ExprKind::constant, 0, 0, static_cast<uint32_t>(program_.constants.size()), 0, 0};
+      program_.constants.push_back(value.from(id));
+    } catch (Failure& failure) {
+      diagnostics_.add(std::move(failure.diagnostic));
+    }
+  }
+}
+
+std::optional<Type> Compiler::static_type(ExprId id) const {
+  const ExprNode& n = program_.nodes[id];
+  switch (n.kind) {
+    case ExprKind::constant:
+      return program_.constants[n.first].type;
+    case ExprKind::attribute: {
+      const auto a = static_cast<Attribute>(n.aux);
+      if (a == Attribute::is_rectangle || a == Attribute::is_convex || a == Attribute::is_planar)
+        return Type::boolean;
+      if (a == Attribute::comp_name) return Type::string;
+      if (a == Attribute::symbol) return Type::symbol;
+      return Type::number;
+    }
+    case ExprKind::variable: {
+      const VariableSlot& v = program_.variables[n.first];
+      if (v.settable || v.value == none) return std::nullopt;
+      return static_type(v.value);
+    }
+    case ExprKind::property:
+      return static_type(program_.children[n.children]);
+    case ExprKind::input:
+      return n.aux >= static_cast<uint8_t>(Input::name) ? Type::string : Type::number;
+    case ExprKind::list:
+      return Type::list;
+    case ExprKind::fits:
+      return Type::boolean;
+    case ExprKind::negate:
+    case ExprKind::subtract:
+    case ExprKind::multiply:
+    case ExprKind::divide:
+      return Type::number;
+    case ExprKind::add:
+      return static_type(program_.children[n.children]);
+    case ExprKind::conditional:
+      return static_type(program_.children[n.children + 1]);
+    case ExprKind::parameter:
+    case ExprKind::subscript:
+    case ExprKind::call:
+    case ExprKind::definition:
+      return std::nullopt;
+    default:
+      return Type::boolean;
+  }
+}
+
+void Compiler::check_types() {
+  for (ExprId id = 0; id < program_.nodes.size(); ++id) {
+    const ExprNode& n = program_.nodes[id];
+    if (n.kind < ExprKind::add || n.kind > ExprKind::unequal) continue;
+    const ExprId a = program_.children[n.children], b = program_.children[n.children + 1];
+    const auto left = static_type(a), right = static_type(b);
+    if (!left || !right) continue;
+    attempt(program_.main_style, {}, [&] {
+      if (const auto wrong = operand_error(program_, n, *left, *right, a, b)) throw Failure(*wrong);
+    });
+  }
+  for (const Call& call : program_.calls) {
+    attempt(program_.main_style, {}, [&] {
+      check_call_types(call);
+      check_sizes(call);
+    });
+  }
+}
+
+void Compiler::check_call_types(const Call& call) {
+  const Operation& operation = *call.operation;
+  for (std::size_t i = 0; i < call.args.size(); ++i) {
+    if (call.args[i].value == none) continue;
+    const std::size_t known = std::min<std::size_t>(i, operation.count - 1u);
+    const auto type = static_type(call.args[i].value);
+    if (!type) continue;
+    std::optional<Type> wanted;
+    switch (operation.parameters[known].type) {
+      case ArgType::number:
+      case ArgType::length:
+        wanted = Type::number;
+        break;
+      case ArgType::string:
+        wanted = Type::string;
+        break;
+      case ArgType::boolean:
+        wanted = Type::boolean;
+        break;
+      default:
+        break;
+    }
+    if (!wanted || *wanted == *type) continue;
+    const Span at = program_.spans[call.args[i].value];
+    std::vector<Note> notes;
+    const ExprNode& n = program_.nodes[call.args[i].value];
+    if (n.kind == ExprKind::variable) {
+      notes.push_back({std::string(described(*type)) + " was written here",
+                       program_.spans[program_.variables[n.first].value]});
+    }
+    refuse(at,
+           "'" + std::string(operation.name) + "' expects " + std::string(described(*wanted)) +
+               " for '" + std::string(operation.parameter_name(known)) + "', not " +
+               std::string(described(*type)),
+           {}, std::move(notes));
+  }
+}
+
+/// subdiv with sizes that are all single: as many as parts.
+void Compiler::check_sizes(const Call& call) {
+  if (call.operation->rule != PartRule::sizes || call.parts.size() < 2) return;
+  std::size_t sizes = 0;
+  for (std::size_t i = 1; i < call.args.size(); ++i) {
+    const auto type = static_type(call.args[i].value);
+    if (!type) return;
+    const ExprNode& n = program_.nodes[call.args[i].value];
+    if (*type == Type::list && n.kind != ExprKind::constant) return;
+    sizes += *type == Type::list ? program_.constants[n.first].size : 1;
+  }
+  if (sizes == call.parts.size()) return;
+  throw Failure(size_count_error(call, sizes));
+}
+
+}  // namespace mansard

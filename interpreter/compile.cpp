@@ -1,0 +1,363 @@
+#include <algorithm>
+
+#include "interpreter/compiler.hpp"
+#include "interpreter/messages.hpp"
+#include "interpreter/random.hpp"
+#include "interpreter/selectors.hpp"
+
+namespace mansard {
+
+std::unique_ptr<Program> compile(Library& library, MeshSource& meshes,
+                                 const CompileOptions& options, Diagnostics& diagnostics) {
+  auto program = std::make_unique<Program>();
+  Compiler compiler(*program, library, meshes, options, diagnostics);
+  if (!compiler.run()) return nullptr;
+  return program;
+}
+
+void refuse(Span at, std::string text, std::string help, std::vector<Note> notes) {
+  Diagnostic d;
+  d.at = at;
+  d.text = std::move(text);
+  d.help = std::move(help);
+  d.notes = std::move(notes);
+  throw Failure(std::move(d));
+}
+
+std::string qualified(std::string_view block, std::string_view name) {
+  return block.empty() ? std::string(name) : std::string(block) + "." + std::string(name);
+}
+
+std::string meant(std::string_view word, std::span<const std::string_view> candidates) {
+  const auto near = nearest(word, candidates);
+  return near ? "did you mean '" + std::string(*near) + "'?" : std::string();
+}
+
+Compiler::Compiler(Program& program, Library& library, MeshSource& meshes,
+                   const CompileOptions& options, Diagnostics& diagnostics)
+    : program_(program),
+      library_(library),
+      meshes_(meshes),
+      options_(options),
+      diagnostics_(diagnostics) {
+  program_.symbols.intern("NIL");
+  for (const std::string_view word : selector_words) program_.symbols.intern(word);
+  program_.materials.push_back({"plain", {0.8, 0.8, 0.8}, 1, {}, {1, 1}});
+}
+
+bool Compiler::run() {
+  collect_symbols();
+  const syntax::Style* const main = main_style();
+  if (!main) return false;
+  const auto number = style_number(main->name.text);
+  if (!number) return false;
+  program_.main_style = *number;
+  if (options_.all_styles) reach_all();
+  while (!pending_.empty()) {
+    const uint16_t next = pending_.back();
+    pending_.pop_back();
+    compile_style(next);
+  }
+  for (CompiledStyle& style : program_.styles) {
+    style.rules.resize(program_.symbols.size(), none);
+    style.elements.resize(program_.symbols.size(), none);
+    style.materials.resize(program_.symbols.size(), none);
+  }
+  for (uint32_t i = 0; i < program_.symbols.size(); ++i) {
+    program_.symbol_hashes.push_back(hash_of(program_.symbols[i]));
+  }
+  if (diagnostics_.has_errors()) return false;
+  apply_settings();
+  mark_settable();
+  find_shape_readers();
+  if (diagnostics_.has_errors()) return false;
+  fold_constants();
+  check_types();
+  return !diagnostics_.has_errors();
+}
+
+const syntax::Style* Compiler::main_style() {
+  if (!options_.style.empty()) {
+    if (const syntax::Style* found = library_.find(options_.style)) return found;
+    std::vector<std::string_view> names;
+    for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
+    Diagnostic d;
+    d.text = "no style '" + options_.style + "' in this file";
+    d.help = meant(options_.style, names);
+    diagnostics_.add(std::move(d));
+    return nullptr;
+  }
+  if (library_.default_style()) return library_.default_style();
+  if (!diagnostics_.has_errors()) {
+    Diagnostic d;
+    d.text = "there is no style in this file";
+    d.help = "begin with: style Name { ... }";
+    diagnostics_.add(std::move(d));
+  }
+  return nullptr;
+}
+
+std::optional<uint16_t> Compiler::style_number(std::string_view name) {
+  if (const auto it = program_.style_numbers.find(name); it != program_.style_numbers.end())
+    return it->second;
+  const syntax::Style* const syntax = library_.find(name);
+  if (!syntax) return std::nullopt;
+  auto linked = link(library_, *syntax, diagnostics_);
+  if (!linked) return std::nullopt;
+  const auto number = static_cast<uint16_t>(program_.styles.size());
+  const LinkedStyle& kept = program_.linked.emplace_back(std::move(*linked));
+  CompiledStyle& style = program_.styles.emplace_back();
+  style.name = syntax->name.text;
+  style.linked = &kept;
+  style.start = program_.symbols.intern(kept.start);
+  program_.style_numbers.emplace(style.name, number);
+  for (const Diagnostic& missing : kept.missing) {
+    if (!options_.all_styles || syntax == library_.default_style()) diagnostics_.add(missing);
+  }
+  pending_.push_back(number);
+  declare_rules(number);
+  declare_variables(number);
+  return number;
+}
+
+/// Every style that can be derived; one that waits for a child to complete it can not.
+void Compiler::reach_all() {
+  for (const syntax::Style* style : library_.styles()) {
+    if (style->pre.abstract && !options_.all_styles) continue;
+    style_number(style->name.text);
+  }
+}
+
+void Compiler::declare_rules(uint16_t number) {
+  CompiledStyle& style = program_.styles[number];
+  for (const SymbolRules& symbol : style.linked->symbols) {
+    const uint32_t id = program_.symbols.intern(symbol.name);
+    if (style.rules.size() <= id) style.rules.resize(id + 1, none);
+    uint32_t next = none;
+    for (auto g = symbol.generations.rbegin(); g != symbol.generations.rend(); ++g) {
+      RuleSet set;
+      set.first = static_cast<uint32_t>(program_.productions.size());
+      set.count = static_cast<uint32_t>(g->productions.size());
+      set.super = next;
+      set.parameters = static_cast<uint8_t>(g->productions[0]->params.size());
+      for (std::size_t i = 0; i < g->productions.size(); ++i) {
+        Production p;
+        p.syntax = g->productions[i];
+        p.from = g->origins[i];
+        program_.productions.push_back(p);
+      }
+      next = static_cast<uint32_t>(program_.rule_sets.size());
+      program_.rule_sets.push_back(set);
+    }
+    style.rules[id] = next;
+  }
+}
+
+void Compiler::declare_variables(uint16_t number) {
+  const LinkedStyle& linked = *program_.styles[number].linked;
+  for (const VariableBinding& binding : linked.variables) {
+    VariableSlot slot;
+    slot.name = qualified(binding.block, binding.name);
+    slot.binding = &binding;
+    slot.salt = hash_of(slot.name);
+    const auto id = static_cast<uint32_t>(program_.variables.size());
+    variable_slots_[{number, slot.name}] = id;
+    program_.properties.intern(slot.name);
+    program_.variables_by_property[slot.name].push_back(id);
+    slot.setting =
+        setting_keys_.emplace(slot.name, static_cast<uint32_t>(setting_keys_.size())).first->second;
+    program_.variables.push_back(std::move(slot));
+  }
+  for (const FunctionBinding& binding : linked.functions) {
+    function_slots_[{number, qualified(binding.block, binding.name)}] =
+        static_cast<uint32_t>(program_.functions.size());
+    FunctionSlot slot;
+    slot.parameters = static_cast<uint8_t>(binding.syntax->params.size());
+    program_.functions.push_back(slot);
+  }
+}
+
+void Compiler::compile_style(uint16_t number) {
+  compile_functions(number);
+  compile_variables(number);
+  compile_rules(number);
+  compile_elements(number);
+  compile_materials(number);
+  if (options_.all_styles) warn_unguarded(number);
+}
+
+void Compiler::compile_functions(uint16_t number) {
+  for (const FunctionBinding& binding : program_.styles[number].linked->functions) {
+    attempt(number, binding.block, [&] {
+      uint16_t salt = 0;
+      NameScope scope{number, binding.block, {}, none, false, false, &salt};
+      for (const syntax::Name& p : binding.syntax->params) scope.parameters.push_back(p.text);
+      const uint32_t slot = function_slots_.at({number, qualified(binding.block, binding.name)});
+      const ExprId value = expression(*binding.syntax->value, scope);
+      program_.functions[slot].value = value;
+    });
+  }
+}
+
+void Compiler::compile_variables(uint16_t number) {
+  for (const VariableBinding& binding : program_.styles[number].linked->variables) {
+    const uint32_t slot = variable_slots_.at({number, qualified(binding.block, binding.name)});
+    attempt(number, binding.block, [&] {
+      per_of(binding.syntax->pre, program_.variables[slot]);
+      uint16_t salt = 0;
+      NameScope scope{number, binding.block, {}, none, false, true, &salt};
+      const ExprId value = binding.syntax->value ? expression(*binding.syntax->value, scope)
+                                                 : constant(Value::of(0.0), binding.syntax->at);
+      program_.variables[slot].value = value;
+    });
+  }
+}
+
+/// @per("shape") or @per("SYMBOL").
+void Compiler::per_of(const syntax::Preamble& pre, VariableSlot& slot) {
+  for (const syntax::Annotation& a : pre.annotations) {
+    if (a.name.text != "per") continue;
+    const auto* text = a.args.size() == 1 && a.args[0].value.value
+                           ? std::get_if<syntax::Text>(&a.args[0].value.value->is)
+                           : nullptr;
+    if (!text) refuse(a.at, "@per takes \"shape\", \"building\" or the name of a symbol");
+    if (text->value == "building") continue;
+    slot.per = text->value == "shape" ? VariableSlot::Per::shape : VariableSlot::Per::symbol;
+    if (slot.per == VariableSlot::Per::symbol)
+      slot.per_symbol = program_.symbols.intern(text->value);
+  }
+}
+
+void Compiler::compile_rules(uint16_t number) {
+  // Indices, not references: compiling a rule may reach another style and grow the tables.
+  std::vector<uint32_t> sets;
+  for (const uint32_t top : program_.styles[number].rules) {
+    for (uint32_t s = top; s != none; s = program_.rule_sets[s].super) sets.push_back(s);
+  }
+  for (const uint32_t s : sets) {
+    const RuleSet set = program_.rule_sets[s];
+    bool tests = false;
+    for (uint32_t i = 0; i < set.count; ++i) {
+      Production production = program_.productions[set.first + i];
+      const std::string_view block = production.from.block ? production.from.block->name.text : "";
+      attempt(number, block, [&] { compile_production(production, number); });
+      tests = tests || production.index_test != none;
+      program_.productions[set.first + i] = production;
+    }
+    const Production& only = program_.productions[set.first];
+    program_.rule_sets[s].tests_index = tests;
+    program_.rule_sets[s].always = set.count == 1 && only.guard == none && !tests;
+  }
+}
+
+void Compiler::compile_production(Production& p, uint16_t style) {
+  const syntax::Rule& rule = *p.syntax;
+  for (const syntax::Annotation& a : rule.pre.annotations) {
+    if (a.name.text == "stage") refuse(a.at, "@stage comes with a later version of Mansard");
+  }
+  uint16_t salt = 1;
+  NameScope scope;
+  scope.style = style;
+  scope.block = p.from.block ? p.from.block->name.text : std::string_view{};
+  scope.salt = &salt;
+  for (const syntax::Name& name : rule.params) scope.parameters.push_back(name.text);
+  if (rule.index) {
+    const auto* name = std::get_if<syntax::Reference>(&rule.index->is);
+    if (name && name->names.size() == 1 && !name->style) {
+      p.index_parameter = static_cast<uint8_t>(scope.parameters.size());
+      scope.parameters.push_back(name->names[0].text);
+    } else {
+      p.index_test = expression(*rule.index, scope);
+    }
+  }
+  p.is_else = rule.guard_else;
+  p.body = body(rule.successor, scope);
+  if (rule.guard) {
+    scope.in_guard = true;
+    scope.fits_call = first_split(p.body);
+    p.guard = expression(*rule.guard, scope);
+    scope.in_guard = false;
+  }
+  if (rule.probability) p.probability = expression(*rule.probability, scope);
+}
+
+void Compiler::apply_settings() {
+  for (const auto& [name, value] : options_.settings) apply_setting(name, value);
+}
+
+/// --set Block.Name=v or Style::Block.Name=v; a bare word is a string.
+void Compiler::apply_setting(const std::string& full, const std::string& value) {
+  std::string style, name = full;
+  if (const auto colons = full.find("::"); colons != std::string::npos) {
+    style = full.substr(0, colons);
+    name = full.substr(colons + 2);
+  }
+  std::vector<uint32_t> slots;
+  std::vector<std::string_view> names;
+  for (uint32_t i = 0; i < program_.variables.size(); ++i)
+    names.push_back(program_.variables[i].name);
+  for (const auto& [key, slot] : variable_slots_) {
+    if (key.second == name && (style.empty() || program_.styles[key.first].name == style))
+      slots.push_back(slot);
+  }
+  if (slots.empty()) {
+    Diagnostic d;
+    d.text = "--set " + full + ": no variable of that name";
+    d.help = meant(name, names);
+    return diagnostics_.add(std::move(d));
+  }
+  const Source& source = library_.sources().add("--set " + full, value);
+  Diagnostics quiet;
+  const syntax::ExprPtr parsed = parse_expression(source, quiet);
+  const Span all{&source, 0, static_cast<uint32_t>(value.size())};
+  uint16_t salt = 0;
+  ExprId id = none;
+  try {
+    NameScope scope{program_.main_style, {}, {}, none, false, false, &salt};
+    if (parsed) id = expression(*parsed, scope);
+  } catch (const Failure&) {
+    id = none;
+  }
+  if (id == none)
+    id = constant(Value::of(std::string_view(program_.texts.emplace_back(value))), all);
+  for (const uint32_t slot : slots) {
+    program_.variables[slot].value = id;
+    program_.variables[slot].from_command_line = true;
+  }
+}
+
+void Compiler::warn_unguarded(uint16_t number) {
+  const CompiledStyle& style = program_.styles[number];
+  for (const uint32_t top : style.rules) {
+    if (top == none) continue;
+    const RuleSet& set = program_.rule_sets[top];
+    const auto* first = &program_.productions[set.first];
+    const bool open = std::all_of(first, first + set.count, [](const Production& p) {
+      return p.guard != none && !(p.is_else && !p.syntax->guard);
+    });
+    if (!open) continue;
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.code = "W002";
+    d.at = first[set.count - 1].syntax->head;
+    d.text = "'" + std::string(first->syntax->name.text) +
+             "' has only productions with conditions: where none holds the shape stays as it is";
+    d.help = "add a production with ': else'";
+    diagnostics_.add(std::move(d));
+  }
+}
+
+void Compiler::add_failure(Failure& failure, uint16_t style, std::string_view block) {
+  Diagnostic& d = failure.diagnostic;
+  const std::string of = "style '" + std::string(program_.styles[style].name) + "'";
+  d.notes.push_back({block.empty() ? "while checking " + of
+                                   : "while checking block '" + std::string(block) + "' of " + of,
+                     {}});
+  // The same words of a parent are wrong in every child: once is enough.
+  for (const Diagnostic& known : diagnostics_.all()) {
+    if (known.at == d.at && known.text == d.text) return;
+  }
+  diagnostics_.add(std::move(d));
+}
+
+}  // namespace mansard

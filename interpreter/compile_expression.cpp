@@ -1,0 +1,346 @@
+#include <algorithm>
+#include <array>
+
+#include "interpreter/compiler.hpp"
+#include "interpreter/messages.hpp"
+
+namespace mansard {
+namespace {
+
+struct NamedAttribute {
+  std::string_view name;
+  Attribute attribute;
+};
+constexpr std::array<NamedAttribute, 36> attributes{{
+    {"W", Attribute::width},
+    {"H", Attribute::height},
+    {"D", Attribute::depth},
+    {"scope.sx", Attribute::width},
+    {"scope.sy", Attribute::height},
+    {"scope.sz", Attribute::depth},
+    {"scope.tx", Attribute::tx},
+    {"scope.ty", Attribute::ty},
+    {"scope.tz", Attribute::tz},
+    {"area", Attribute::area},
+    {"volume", Attribute::volume},
+    {"perimeter", Attribute::perimeter},
+    {"inradius", Attribute::inradius},
+    {"edges", Attribute::edges},
+    {"is_rectangle", Attribute::is_rectangle},
+    {"is_convex", Attribute::is_convex},
+    {"is_planar", Attribute::is_planar},
+    {"facing", Attribute::facing},
+    {"slope", Attribute::slope},
+    {"elevation", Attribute::elevation},
+    {"split.index", Attribute::split_index},
+    {"split.count", Attribute::split_count},
+    {"split.round", Attribute::split_round},
+    {"comp.index", Attribute::comp_index},
+    {"comp.count", Attribute::comp_count},
+    {"comp.name", Attribute::comp_name},
+    {"level", Attribute::level},
+    {"index", Attribute::index},
+    {"symbol", Attribute::symbol},
+    {"seed", Attribute::seed},
+    {"scope.W", Attribute::width},
+    {"scope.H", Attribute::height},
+    {"scope.D", Attribute::depth},
+    {"scope.x", Attribute::tx},
+    {"scope.y", Attribute::ty},
+    {"scope.z", Attribute::tz},
+}};
+
+struct NamedInput {
+  std::string_view name;
+  Input input;
+};
+constexpr std::array<NamedInput, 4> inputs{{{"BUILDING_HEIGHT", Input::height},
+                                            {"BUILDING_LEVELS", Input::levels},
+                                            {"BUILDING_NAME", Input::name},
+                                            {"BUILDING_USE", Input::use}}};
+
+ExprKind kind_of(syntax::Infix op) {
+  using enum syntax::Infix;
+  switch (op) {
+    case add:
+      return ExprKind::add;
+    case subtract:
+      return ExprKind::subtract;
+    case multiply:
+      return ExprKind::multiply;
+    case divide:
+      return ExprKind::divide;
+    case less:
+      return ExprKind::less;
+    case less_equal:
+      return ExprKind::less_equal;
+    case greater:
+      return ExprKind::greater;
+    case greater_equal:
+      return ExprKind::greater_equal;
+    case equal:
+      return ExprKind::equal;
+    case unequal:
+      return ExprKind::unequal;
+    case and_:
+      return ExprKind::and_;
+    case or_:
+      return ExprKind::or_;
+  }
+  return ExprKind::add;
+}
+
+}  // namespace
+
+ExprId Compiler::node(ExprKind kind, Span at, std::vector<ExprId> children, uint32_t first,
+                      uint8_t aux) {
+  ExprNode n;
+  n.kind = kind;
+  n.aux = aux;
+  n.first = first;
+  n.children = static_cast<uint32_t>(program_.children.size());
+  n.count = static_cast<uint32_t>(children.size());
+  program_.children.insert(program_.children.end(), children.begin(), children.end());
+  std::size_t depth = 1;
+  for (const ExprId child : children)
+    depth = std::max<std::size_t>(depth, program_.depths[child] + 1u);
+  if (depth > 2000) refuse(at, "an expression more than 2000 deep", "divide it up with variables");
+  program_.depths.push_back(static_cast<uint16_t>(depth));
+  program_.nodes.push_back(n);
+  program_.spans.push_back(at);
+  return static_cast<ExprId>(program_.nodes.size() - 1);
+}
+
+ExprId Compiler::constant(Value value, Span at) {
+  const auto number = static_cast<uint32_t>(program_.constants.size());
+  const ExprId id = node(ExprKind::constant, at, {}, number);
+  program_.constants.push_back(value.from(id));
+  return id;
+}
+
+ExprId Compiler::expression(const syntax::Expr& expr, NameScope& scope) {
+  struct Visitor {
+    Compiler& self;
+    const syntax::Expr& expr;
+    NameScope& scope;
+
+    ExprId operator()(const syntax::Number& n) {
+      return self.constant(Value::of(n.value), expr.at);
+    }
+    ExprId operator()(const syntax::Text& t) {
+      return self.constant(Value::of(std::string_view(self.program_.texts.emplace_back(t.value))),
+                           expr.at);
+    }
+    ExprId operator()(const syntax::Boolean& b) {
+      return self.constant(Value::of(b.value), expr.at);
+    }
+    ExprId operator()(const syntax::List& list) {
+      std::vector<ExprId> items;
+      for (const auto& item : list.items) items.push_back(self.expression(*item, scope));
+      return self.node(ExprKind::list, expr.at, std::move(items));
+    }
+    ExprId operator()(const syntax::Reference& r) { return self.reference(r, expr.at, scope); }
+    ExprId operator()(const syntax::Call& c) { return self.call(c, expr.at, scope); }
+    ExprId operator()(const syntax::Subscript& s) {
+      const ExprId list = self.expression(*s.list, scope), index = self.expression(*s.index, scope);
+      return self.node(ExprKind::subscript, expr.at, {list, index});
+    }
+    ExprId operator()(const syntax::Unary& u) {
+      ExprId id = self.expression(*u.operand, scope);
+      for (auto op = u.operators.rbegin(); op != u.operators.rend(); ++op) {
+        id = self.node(*op == syntax::Prefix::minus ? ExprKind::negate : ExprKind::invert, expr.at,
+                       {id});
+      }
+      return id;
+    }
+    ExprId operator()(const syntax::Chain& c) { return self.chain(c, expr.at, scope); }
+    ExprId operator()(const syntax::Conditional& c) {
+      const ExprId condition = self.expression(*c.condition, scope);
+      const ExprId then = self.expression(*c.then, scope),
+                   otherwise = self.expression(*c.otherwise, scope);
+      return self.node(ExprKind::conditional, expr.at, {condition, then, otherwise});
+    }
+  };
+  return std::visit(Visitor{*this, expr, scope}, expr.is);
+}
+
+ExprId Compiler::chain(const syntax::Chain& chain, Span, NameScope& scope) {
+  ExprId left = expression(*chain.operands[0], scope);
+  for (std::size_t i = 0; i < chain.operators.size(); ++i) {
+    const ExprId right = expression(*chain.operands[i + 1], scope);
+    const Span whole = join(chain.operands[0]->at, chain.operands[i + 1]->at);
+    left = node(kind_of(chain.operators[i]), whole, {left, right});
+  }
+  return left;
+}
+
+uint32_t Compiler::variable_slot(uint16_t style, std::string_view block,
+                                 std::string_view name) const {
+  const auto it = variable_slots_.find({style, qualified(block, name)});
+  return it == variable_slots_.end() ? none : it->second;
+}
+
+ExprId Compiler::reference(const syntax::Reference& r, Span at, NameScope& scope) {
+  if (r.style) {
+    const auto style = style_number(r.style.text);
+    if (!style) {
+      std::vector<std::string_view> names;
+      for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
+      refuse(r.style.at, "no style '" + std::string(r.style.text) + "' is loaded",
+             meant(r.style.text, names));
+    }
+    return constant(Value::of_symbol(program_.symbols.intern(r.names.back().text), *style + 1u),
+                    at);
+  }
+  return r.names.size() == 1 ? plain_name(r.names[0], scope) : dotted_name(r, at, scope);
+}
+
+ExprId Compiler::plain_name(const syntax::Name& name, NameScope& scope) {
+  const auto parameter = std::ranges::find(scope.parameters, name.text);
+  if (parameter != scope.parameters.end()) {
+    return node(ExprKind::parameter, name.at, {}, 0,
+                static_cast<uint8_t>(parameter - scope.parameters.begin()));
+  }
+  for (const std::string_view block : {scope.block, std::string_view{}}) {
+    if (const uint32_t slot = variable_slot(scope.style, block, name.text); slot != none) {
+      return node(ExprKind::variable, name.at, {}, slot);
+    }
+  }
+  if (name.text == "fits") {
+    if (!scope.in_guard) refuse(name.at, "'fits' stands only in the condition of a rule");
+    if (scope.fits_call == none) {
+      refuse(name.at, "'fits' asks about a split, and this rule has none",
+             "use subdiv, repeat or split, or another condition");
+    }
+    return node(ExprKind::fits, name.at, {}, scope.fits_call);
+  }
+  for (const NamedAttribute& a : attributes) {
+    if (a.name == name.text)
+      return node(ExprKind::attribute, name.at, {}, 0, static_cast<uint8_t>(a.attribute));
+  }
+  for (const NamedInput& i : inputs) {
+    if (i.name == name.text)
+      return node(ExprKind::input, name.at, {}, 0, static_cast<uint8_t>(i.input));
+  }
+  if (known_symbols_.contains(name.text) || (scope.symbols && looks_like_symbol(name.text))) {
+    return constant(Value::of_symbol(program_.symbols.intern(name.text)), name.at);
+  }
+  unknown_name(name, scope);
+}
+
+void Compiler::unknown_name(const syntax::Name& name, const NameScope& scope) {
+  std::vector<std::string_view> known(scope.parameters.begin(), scope.parameters.end());
+  const LinkedStyle& linked = *program_.styles[scope.style].linked;
+  for (const VariableBinding& v : linked.variables) {
+    if (v.block == scope.block || v.block.empty()) known.push_back(v.name);
+  }
+  for (const NamedAttribute& a : attributes) known.push_back(a.name);
+  for (const NamedInput& i : inputs) known.push_back(i.name);
+  std::string help = meant(name.text, known);
+  for (const VariableBinding& v : linked.variables) {
+    if (v.name == name.text)
+      help = "write '" + qualified(v.block, v.name) + "': it belongs to another block";
+  }
+  if (find_function(name.text))
+    help = "it is a function: write " + std::string(name.text) + "(...)";
+  refuse(name.at, "unknown variable '" + std::string(name.text) + "'", help);
+}
+
+ExprId Compiler::dotted_name(const syntax::Reference& r, Span at, NameScope& scope) {
+  const std::string_view first = r.names[0].text, second = r.names[1].text;
+  if (first == "corner" || first == "Shape") {
+    refuse(at, "'" + std::string(at.text()) + "' comes with a later version of Mansard");
+  }
+  if (r.names.size() == 2) {
+    const std::string full = qualified(first, second);
+    for (const NamedAttribute& a : attributes) {
+      if (a.name == full)
+        return node(ExprKind::attribute, at, {}, 0, static_cast<uint8_t>(a.attribute));
+    }
+    if (const uint32_t slot = variable_slot(scope.style, first, second); slot != none) {
+      return node(ExprKind::variable, at, {}, slot);
+    }
+  }
+  std::vector<std::string_view> known;
+  for (const VariableSlot& v : program_.variables) known.push_back(v.name);
+  for (const NamedAttribute& a : attributes) known.push_back(a.name);
+  const auto full = std::string(at.text());
+  refuse(at, "unknown variable '" + full + "'", meant(full, known));
+}
+
+ExprId Compiler::plain_argument(const syntax::Arg& arg, NameScope& scope) {
+  if (arg.name) refuse(arg.name.at, "arguments of functions have no names");
+  if (arg.value.kind != syntax::SizeKind::absolute) {
+    refuse(arg.at, "'" + std::string(arg.at.text()) + "' is a size, here stands a value");
+  }
+  return expression(*arg.value.value, scope);
+}
+
+ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
+  const syntax::Name& name = call.callee.names.back();
+  if (call.callee.names.size() == 1 && !call.callee.style) {
+    if (name.text == "attr") return attribute_call(call, at, scope);
+    if (const Function* function = find_function(name.text))
+      return function_call(*function, call, at, scope);
+  }
+  if (call.callee.names[0].text == "Shape" || is_later_operation(name.text) ||
+      name.text == "visible" || name.text == "inside" || name.text == "overlaps" ||
+      name.text == "touches") {
+    refuse(at, "'" + std::string(at.text()) +
+                   "' comes with a later version of Mansard: questions about other shapes are not "
+                   "answered yet");
+  }
+  const std::string_view own =
+      call.callee.names.size() == 2 ? call.callee.names[0].text : scope.block;
+  for (const std::string_view block : {own, std::string_view{}}) {
+    const auto it = function_slots_.find({scope.style, qualified(block, name.text)});
+    if (it == function_slots_.end()) continue;
+    const uint8_t expected = program_.functions[it->second].parameters;
+    if (call.args.size() != expected) {
+      refuse(at, "'" + std::string(name.text) + "' takes " + count_text(expected, "argument") +
+                     ", not " + std::to_string(call.args.size()));
+    }
+    std::vector<ExprId> args;
+    for (const syntax::Arg& arg : call.args) args.push_back(plain_argument(arg, scope));
+    const ExprId id = node(ExprKind::definition, at, std::move(args), it->second);
+    program_.nodes[id].salt = scope.salt ? (*scope.salt)++ : 0;
+    return id;
+  }
+  std::vector<std::string_view> known{"attr"};
+  for (const Function& f : functions()) known.push_back(f.name);
+  for (const FunctionBinding& f : program_.styles[scope.style].linked->functions)
+    known.push_back(f.name);
+  refuse(name.at, "unknown function '" + std::string(name.text) + "'", meant(name.text, known));
+}
+
+ExprId Compiler::function_call(const Function& function, const syntax::Call& call, Span at,
+                               NameScope& scope) {
+  const std::size_t n = call.args.size();
+  if (n < function.required || (n > function.count && !function.variadic)) {
+    refuse(at, "'" + std::string(function.name) + "(" + std::string(function.args) + ")' got " +
+                   count_text(n, "argument"));
+  }
+  std::vector<ExprId> args;
+  for (const syntax::Arg& arg : call.args) args.push_back(plain_argument(arg, scope));
+  const auto row = static_cast<uint8_t>(&function - functions().data());
+  const ExprId id = node(ExprKind::call, at, std::move(args), 0, row);
+  if (function.random && scope.salt) program_.nodes[id].salt = (*scope.salt)++;
+  return id;
+}
+
+ExprId Compiler::attribute_call(const syntax::Call& call, Span at, NameScope& scope) {
+  if (call.args.size() != 2) {
+    refuse(at,
+           "'attr' takes the name of a property and a default, it got " +
+               count_text(call.args.size(), "argument"),
+           "attr(\"height\", 9)");
+  }
+  const syntax::ExprPtr& name = call.args[0].value.value;
+  const auto* text = name ? std::get_if<syntax::Text>(&name->is) : nullptr;
+  if (!text) refuse(call.args[0].at, "the name of a property is a string in quotes");
+  const uint32_t slot = program_.properties.intern(text->value);
+  const ExprId fallback = plain_argument(call.args[1], scope);
+  return node(ExprKind::property, at, {fallback}, slot);
+}
+
+}  // namespace mansard

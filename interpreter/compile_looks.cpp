@@ -1,0 +1,170 @@
+// Elements and materials.
+#include <algorithm>
+
+#include "interpreter/compiler.hpp"
+#include "interpreter/messages.hpp"
+#include "interpreter/random.hpp"
+
+namespace mansard {
+
+double Compiler::weight(const syntax::ExprPtr& source, uint16_t) {
+  if (!source) return 1;
+  const auto* number = std::get_if<syntax::Number>(&source->is);
+  if (!number || number->value < 0) refuse(source->at, "a weight is a number that is not negative");
+  return number->value;
+}
+
+void Compiler::compile_elements(uint16_t number) {
+  for (const ElementBinding& binding : program_.styles[number].linked->elements) {
+    attempt(number, "Elements", [&] {
+      ElementTable table;
+      for (const ElementChoice& alternative : binding.alternatives) {
+        element_choice(alternative, table);
+        table.choices.back().weight = weight(alternative.syntax->weight, number);
+        table.total += table.choices.back().weight;
+      }
+      const uint32_t symbol = program_.symbols.intern(binding.symbol);
+      CompiledStyle& style = program_.styles[number];
+      if (style.elements.size() <= symbol) style.elements.resize(symbol + 1, none);
+      if (table.choices.empty() || table.total <= 0) return;
+      style.elements[symbol] = static_cast<uint32_t>(program_.element_tables.size());
+      program_.element_tables.push_back(std::move(table));
+    });
+  }
+}
+
+void Compiler::element_choice(const ElementChoice& alternative, ElementTable& table) {
+  ElementTable::Choice choice;
+  for (const syntax::ExprPtr& path : alternative.syntax->meshes) {
+    const auto& text = std::get<syntax::Text>(path->is).value;
+    const Mesh* const mesh = element_mesh(text, path->at);
+    choice.meshes.push_back(mesh);
+    auto& looks = choice.materials.emplace_back();
+    if (!mesh) continue;
+    for (const Mesh::Material& own : mesh->materials) {
+      looks.push_back(static_cast<uint32_t>(program_.materials.size()));
+      program_.materials.push_back(material_from(own));
+    }
+  }
+  table.choices.push_back(std::move(choice));
+}
+
+/// The file as named, beside the script and on the style path; then the same stem as .obj and .glb.
+const Mesh* Compiler::element_mesh(const std::string& path, Span at) {
+  std::vector<std::string> folders{Library::folder_of(at)};
+  folders.insert(folders.end(), library_.style_path().begin(), library_.style_path().end());
+  const std::string stem = path.substr(0, path.rfind('.'));
+  std::string problem = "no such file", last;
+  for (const std::string& name : {path, stem + ".obj", stem + ".glb"}) {
+    for (const std::string& folder : folders) {
+      const std::string full = path.starts_with('/') || folder.empty() ? name : folder + "/" + name;
+      if (!library_.files().exists(full)) continue;
+      if (const Mesh* mesh = meshes_.mesh(full, problem)) return mesh;
+      last = full;
+    }
+  }
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = "W008";
+  d.at = at;
+  d.text = "mesh \"" + path + "\" can not be read: " + problem +
+           (last.empty() || last == path ? "" : " (" + last + ")");
+  d.help = "its terminal stays plain; a file of the same name with .obj or .glb would be taken too";
+  diagnostics_.add(std::move(d));
+  return nullptr;
+}
+
+const Value& Compiler::literal(const syntax::Arg& arg) {
+  uint16_t salt = 0;
+  NameScope scope{program_.main_style, {}, {}, none, false, false, &salt};
+  const ExprId id = plain_argument(arg, scope);
+  const ExprNode& node = program_.nodes[id];
+  if (node.kind != ExprKind::constant)
+    refuse(arg.at, "in Materials stand plain strings and numbers");
+  return program_.constants[node.first];
+}
+
+Material Compiler::material_of(const syntax::MaterialAlternative& alternative, std::string name) {
+  Material material = program_.materials[0];
+  material.name = std::move(name);
+  for (const syntax::Emit& look : alternative.looks) {
+    std::vector<Value> values;
+    if (look.args) {
+      for (const syntax::Arg& arg : *look.args) values.push_back(literal(arg));
+    }
+    const auto is = [&](std::size_t i, Type type) {
+      return i < values.size() && values[i].type == type;
+    };
+    if (look.name.text == "color") {
+      if (values.size() != 1 || !is(0, Type::string) ||
+          !parse_color(values[0].string(), material.color)) {
+        refuse(look.args_at ? look.args_at : look.name.at,
+               "color() takes \"#rgb\", \"#rrggbb\" or a CSS colour name");
+      }
+    } else if (look.name.text == "texture") {
+      if (!is(0, Type::string) || values.size() > 3 ||
+          (values.size() > 1 && !is(1, Type::number)) ||
+          (values.size() > 2 && !is(2, Type::number))) {
+        refuse(look.name.at, "texture() takes a file and the metres of one repeat",
+               "texture(\"brick.jpg\", 2, 1)");
+      }
+      const std::string folder = Library::folder_of(look.name.at);
+      const auto file = std::string(values[0].string());
+      material.texture = file.starts_with('/') || folder.empty() ? file : folder + "/" + file;
+      material.color = {1, 1, 1};
+      material.metres.x = values.size() > 1 ? values[1].number : 1;
+      material.metres.y = values.size() > 2 ? values[2].number : material.metres.x;
+      if (!(material.metres.x > 0 && material.metres.y > 0))
+        refuse(look.name.at, "a repeat of a texture covers more than 0 m");
+    } else if (look.name.text == "opacity") {
+      if (values.size() != 1 || !is(0, Type::number) || values[0].number < 0 ||
+          values[0].number > 1) {
+        refuse(look.name.at, "opacity() takes a number between 0 and 1");
+      }
+      material.opacity = values[0].number;
+    } else {
+      refuse(look.name.at, "'" + std::string(look.name.text) + "' is no look of this version",
+             "color(), texture() or opacity()");
+    }
+  }
+  return material;
+}
+
+void Compiler::compile_materials(uint16_t number) {
+  for (const MaterialBinding& binding : program_.styles[number].linked->materials) {
+    attempt(number, "Materials", [&] {
+      MaterialTable table;
+      for (std::size_t i = 0; i < binding.alternatives.size(); ++i) {
+        const MaterialChoice& choice = binding.alternatives[i];
+        std::string name =
+            std::string(choice.from.style->name.text) + "." + std::string(binding.symbol);
+        if (i > 0) name += "." + std::to_string(i + 1);
+        const Material material = material_of(*choice.syntax, name);
+        const auto same = std::ranges::find_if(program_.materials,
+                                               [&](const Material& m) { return m.name == name; });
+        table.materials.push_back(static_cast<uint32_t>(same - program_.materials.begin()));
+        if (same == program_.materials.end()) program_.materials.push_back(material);
+        table.weights.push_back(weight(choice.syntax->weight, number));
+        table.total += table.weights.back();
+      }
+      if (table.materials.empty() || table.total <= 0) return;
+      const auto* per = binding.entry && binding.entry->per
+                            ? std::get_if<syntax::Text>(&binding.entry->per->is)
+                            : nullptr;
+      if (per && per->value == "building") {
+        table.per = VariableSlot::Per::building;
+      } else if (per && per->value != "shape") {
+        table.per = VariableSlot::Per::symbol;
+        table.per_symbol = program_.symbols.intern(per->value);
+      }
+      table.salt = hash_of(binding.symbol);
+      const uint32_t symbol = program_.symbols.intern(binding.symbol);
+      CompiledStyle& style = program_.styles[number];
+      if (style.materials.size() <= symbol) style.materials.resize(symbol + 1, none);
+      style.materials[symbol] = static_cast<uint32_t>(program_.material_tables.size());
+      program_.material_tables.push_back(std::move(table));
+    });
+  }
+}
+
+}  // namespace mansard

@@ -1,0 +1,153 @@
+// From linked styles to a program. Private to the interpreter.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "interpreter/function.hpp"
+#include "interpreter/operation.hpp"
+#include "interpreter/program.hpp"
+
+namespace mansard {
+
+/// What names mean where an expression stands.
+struct NameScope {
+  uint16_t style = 0;
+  std::string_view block;  ///< empty: style-wide
+  std::vector<std::string_view> parameters;
+  uint32_t fits_call = none;  ///< split that `fits` asks about
+  bool in_guard = false;
+  bool symbols = false;      ///< a bare unknown name in capitals is a symbol
+  uint16_t* salt = nullptr;  ///< counts random calls
+};
+
+class Compiler {
+ public:
+  Compiler(Program& program, Library& library, MeshSource& meshes, const CompileOptions& options,
+           Diagnostics& diagnostics);
+
+  /// False when there were errors.
+  bool run();
+
+ private:
+  // compile.cpp
+  const syntax::Style* main_style();
+  std::optional<uint16_t> style_number(std::string_view name);
+  void reach_all();
+  void compile_style(uint16_t number);
+  void declare_rules(uint16_t style);
+  void declare_variables(uint16_t style);
+  void compile_variables(uint16_t style);
+  void compile_functions(uint16_t style);
+  void compile_rules(uint16_t style);
+  void compile_production(Production& production, uint16_t style);
+  void per_of(const syntax::Preamble& pre, VariableSlot& slot);
+  void apply_settings();
+  void apply_setting(const std::string& name, const std::string& value);
+  void warn_unguarded(uint16_t style);
+
+  // symbols.cpp
+  void collect_symbols();
+  void collect(const syntax::Body& body);
+
+  // compile_expression.cpp
+  ExprId expression(const syntax::Expr& expr, NameScope& scope);
+  ExprId node(ExprKind kind, Span at, std::vector<ExprId> children = {}, uint32_t first = 0,
+              uint8_t aux = 0);
+  ExprId constant(Value value, Span at);
+  ExprId chain(const syntax::Chain& chain, Span at, NameScope& scope);
+  ExprId reference(const syntax::Reference& reference, Span at, NameScope& scope);
+  ExprId plain_name(const syntax::Name& name, NameScope& scope);
+  ExprId dotted_name(const syntax::Reference& reference, Span at, NameScope& scope);
+  ExprId call(const syntax::Call& call, Span at, NameScope& scope);
+  ExprId function_call(const Function& function, const syntax::Call& call, Span at,
+                       NameScope& scope);
+  ExprId attribute_call(const syntax::Call& call, Span at, NameScope& scope);
+  ExprId plain_argument(const syntax::Arg& arg, NameScope& scope);
+  uint32_t variable_slot(uint16_t style, std::string_view block, std::string_view name) const;
+  [[noreturn]] void unknown_name(const syntax::Name& name, const NameScope& scope);
+  bool looks_like_symbol(std::string_view name) const;
+
+  // compile_body.cpp
+  BodyId body(const syntax::Body& body, NameScope& scope);
+  void element(const syntax::Element& element, NameScope& scope, std::vector<Step>& steps);
+  void emit(const syntax::Emit& emit, Span at, NameScope& scope, std::vector<Step>& steps);
+  void emit_symbol(const syntax::Emit& emit, Span at, NameScope& scope, std::vector<Step>& steps);
+  void emit_elsewhere(const syntax::Emit& emit, Span at, NameScope& scope,
+                      std::vector<Step>& steps);
+  void arguments(const syntax::Emit& emit, NameScope& scope, Step& step);
+  void branch(const syntax::If& chain, Span at, NameScope& scope, std::vector<Step>& steps);
+  [[noreturn]] void not_an_operation(const syntax::Emit& emit);
+
+  // compile_call.cpp
+  uint32_t operation_call(const Operation& operation, const syntax::Emit& emit, Span at,
+                          NameScope& scope);
+  void call_arguments(Call& call, const syntax::Emit& emit, NameScope& scope);
+  std::size_t argument_place(const Operation& operation, const syntax::Arg& arg,
+                             std::size_t position);
+  SizeExpr size_argument(const Operation& operation, std::size_t place, const syntax::Arg& arg,
+                         NameScope& scope);
+  void setting_argument(Call& call, const syntax::Arg& arg, NameScope& scope);
+  void call_parts(Call& call, const syntax::Emit& emit, NameScope& scope);
+  CallPart call_part(const Operation& operation, const syntax::Part& part, NameScope& scope);
+  void part_label(const Operation& operation, const syntax::Part& part, CallPart& out,
+                  NameScope& scope);
+  void name_parts(Call& call, const syntax::Emit& emit);
+  void check_part_count(const Call& call, const syntax::Emit& emit);
+  uint32_t first_split(BodyId body) const;
+
+  // compile_looks.cpp
+  void compile_elements(uint16_t style);
+  void compile_materials(uint16_t style);
+  const Mesh* element_mesh(const std::string& path, Span at);
+  void element_choice(const ElementChoice& alternative, ElementTable& table);
+  double weight(const syntax::ExprPtr& weight, uint16_t style);
+  Material material_of(const syntax::MaterialAlternative& alternative, std::string name);
+  const Value& literal(const syntax::Arg& arg);
+
+  // analyse.cpp
+  void mark_settable();
+  void find_shape_readers();
+  bool reads_shape(ExprId id, std::vector<uint8_t>& state);
+  bool variable_reads_shape(uint32_t slot, std::vector<uint8_t>& state);
+  void fold_constants();
+  void check_types();
+  std::optional<Type> static_type(ExprId id) const;
+  void check_call_types(const Call& call);
+  void check_sizes(const Call& call);
+
+  /// Runs f; a Failure becomes a diagnostic with a note of where we are.
+  template <class F>
+  void attempt(uint16_t style, std::string_view block, F f);
+  void add_failure(Failure& failure, uint16_t style, std::string_view block);
+
+  Program& program_;
+  Library& library_;
+  MeshSource& meshes_;
+  const CompileOptions& options_;
+  Diagnostics& diagnostics_;
+  std::set<std::string_view> known_symbols_;
+  std::map<std::pair<uint16_t, std::string>, uint32_t> variable_slots_, function_slots_;
+  std::map<std::string, uint32_t> setting_keys_;
+  std::set<uint32_t> set_somewhere_;
+  std::vector<uint16_t> pending_;
+};
+
+[[noreturn]] void refuse(Span at, std::string text, std::string help = {},
+                         std::vector<Note> notes = {});
+std::string qualified(std::string_view block, std::string_view name);
+/// "did you mean 'x'?" or nothing.
+std::string meant(std::string_view word, std::span<const std::string_view> candidates);
+
+template <class F>
+void Compiler::attempt(uint16_t style, std::string_view block, F f) {
+  try {
+    f();
+  } catch (Failure& failure) {
+    add_failure(failure, style, block);
+  }
+}
+
+}  // namespace mansard

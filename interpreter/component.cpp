@@ -1,0 +1,260 @@
+#include "interpreter/component.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/clip.hpp"
+
+namespace mansard {
+namespace {
+
+/// The parent's attributes with another frame and no geometry yet.
+Shape piece_of(const Shape& parent, Vec3 origin, Vec3 x, Vec3 y, Vec3 z, Vec3 size) {
+  Shape piece = parent;
+  piece.scope = {parent.scope.at(origin), parent.scope.direction(x), parent.scope.direction(y),
+                 parent.scope.direction(z), size};
+  piece.form = Form::rectangle;
+  piece.ground = false;
+  piece.geometry = Shape::none;
+  piece.uv_frame = Shape::none;
+  piece.cuts = 0;
+  piece.open = 0;
+  return piece;
+}
+
+}  // namespace
+
+Shape box_side(const Shape& box, int side) {
+  const auto [w, h, d] = box.scope.size;
+  const auto make = [&](Vec3 origin, Vec3 x, Vec3 y, Vec3 z, double width, double height) {
+    Shape face = piece_of(box, origin, x, y, z, {width, height, 0});
+    if (box.cuts & (1 << side)) face.tag.flags |= EdgeTag::cut;
+    return face;
+  };
+  constexpr Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  switch (side) {
+    case 0:
+      return make({0, 0, d}, x, y, z, w, h);
+    case 1:
+      return make({w, 0, d}, -z, y, x, d, h);
+    case 2:
+      return make({w, 0, 0}, -x, y, -z, w, h);
+    case 3:
+      return make({0, 0, 0}, z, y, -x, d, h);
+    case 4:
+      return make({0, h, d}, x, -z, y, w, d);
+    default:
+      return make({0, 0, 0}, x, z, -y, w, d);
+  }
+}
+
+double prism_height(const Shape& prism) {
+  return prism.ground ? prism.scope.size.y : prism.scope.size.z;
+}
+
+uint32_t prism_walls(const Machine& machine, const Shape& prism) {
+  return static_cast<uint32_t>(machine.polygon_of(prism).polygon.points.size());
+}
+
+Shape prism_wall(Machine& machine, const Shape& prism, uint32_t i) {
+  const PooledPolygon& pooled = machine.polygon_of(prism);
+  const Polygon& polygon = pooled.polygon;
+  const PlaneMap map(prism, pooled.natural);
+  const auto ring = static_cast<std::size_t>(
+      std::upper_bound(polygon.ring_ends.begin(), polygon.ring_ends.end(), i) -
+      polygon.ring_ends.begin());
+  const uint32_t next = i + 1 == polygon.ring_ends[ring] ? polygon.ring_begin(ring) : i + 1;
+  const Vec2 from = map.scaled(polygon.points[i]), to = map.scaled(polygon.points[next]);
+  const double wide = length(to - from);
+  const Vec2 along = normalized(to - from);
+  const Vec3 x = map.direction(along), z = map.direction(left_of(along) * -1);
+  const Vec3 y = prism.ground ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  Shape wall = piece_of(prism, map(polygon.points[i], 0), x, y, z, {wide, prism_height(prism), 0});
+  wall.tag = polygon.tags[i];
+  return wall;
+}
+
+Shape lying_face(const Shape& flat) {
+  Shape face = flat;
+  face.ground = false;
+  face.scope.origin = flat.scope.at({0, 0, flat.scope.size.z});
+  face.scope.y = -flat.scope.z;
+  face.scope.z = flat.scope.y;
+  face.scope.size = {flat.scope.size.x, flat.scope.size.z, 0};
+  return face;
+}
+
+Shape standing_ground(const Shape& face) {
+  Shape flat = face;
+  flat.ground = true;
+  flat.scope.origin = face.scope.at({0, face.scope.size.y, 0});
+  flat.scope.y = face.scope.z;
+  flat.scope.z = -face.scope.y;
+  flat.scope.size = {face.scope.size.x, 0, face.scope.size.y};
+  return flat;
+}
+
+Shape face_of(Machine& machine, const Shape& parent, std::span<const Vec3> loop,
+              std::span<const std::vector<Vec3>> holes, EdgeTag tag) {
+  Shape face = parent;
+  const Vec3 normal = normalized(newell(loop));
+  // A face that lies flat keeps the parent's x; any other has y up the face.
+  if (std::abs(normal.y) > 1 - 1e-9) {
+    face.scope.x = normalized(parent.scope.x - normal * dot(parent.scope.x, normal));
+    face.scope.y = cross(normal, face.scope.x);
+  } else {
+    face.scope.y = normalized(Vec3{0, 1, 0} - normal * normal.y);
+    face.scope.x = cross(face.scope.y, normal);
+  }
+  face.scope.z = normal;
+  face.scope.origin = loop[0];
+  face.scope.size = {0, 0, 0};
+  face.form = Form::polygon;
+  face.ground = false;
+  face.cuts = face.open = 0;
+  face.tag = tag;
+  Polygon polygon;
+  const auto add_ring = [&](std::span<const Vec3> ring) {
+    for (const Vec3& p : ring) {
+      const Vec3 local = face.scope.to_local(p);
+      polygon.add_point({local.x, local.y}, tag);
+    }
+    polygon.close_ring();
+  };
+  add_ring(loop);
+  for (const auto& hole : holes) add_ring(hole);
+  machine.adopt(face, std::move(polygon));
+  machine.frame_uvs(face);
+  return face;
+}
+
+namespace {
+
+void push_mesh_faces(Machine& machine, const Shape& shape) {
+  const PooledMesh& pooled = machine.mesh_of(shape);
+  const auto stretch = [](double size, double natural) { return natural > 0 ? size / natural : 1; };
+  const Vec3 scale{stretch(shape.scope.size.x, pooled.natural.x),
+                   stretch(shape.scope.size.y, pooled.natural.y),
+                   stretch(shape.scope.size.z, pooled.natural.z)};
+  std::vector<Vec3> loop;
+  for (const Mesh::Face& f : pooled.mesh().faces) {
+    loop.clear();
+    for (const uint32_t corner : pooled.mesh().loop(f)) {
+      const Vec3 p = pooled.mesh().points[corner] - pooled.low;
+      loop.push_back(shape.scope.at({p.x * scale.x, p.y * scale.y, p.z * scale.z}));
+    }
+    if (length(newell(loop)) > 1e-12) {
+      machine.scratch_shapes.push_back(face_of(machine, shape, loop, {}, f.tag));
+    }
+  }
+}
+
+}  // namespace
+
+void push_faces(Machine& machine, const Shape& shape) {
+  auto& out = machine.scratch_shapes;
+  const auto framed = [&](Shape face) {
+    machine.frame_uvs(face);
+    out.push_back(face);
+  };
+  switch (shape.form) {
+    case Form::nothing:
+    case Form::line:
+      break;
+    case Form::rectangle:
+      out.push_back(shape);
+      break;
+    case Form::polygon:
+      out.push_back(shape.ground ? lying_face(shape) : shape);
+      break;
+    case Form::box:
+      for (int side = 0; side < 6; ++side) {
+        if (!(shape.open & (1 << side))) framed(box_side(shape, side));
+      }
+      break;
+    case Form::prism: {
+      for (uint32_t i = 0, n = prism_walls(machine, shape); i < n; ++i) {
+        framed(prism_wall(machine, shape, i));
+      }
+      Shape cap = shape;
+      cap.form = Form::polygon;
+      cap.open = cap.cuts = 0;
+      cap.tag = {};
+      if (shape.ground) {
+        cap.scope.origin = shape.scope.at({0, shape.scope.size.y, 0});
+        cap.scope.size.y = 0;
+        cap = lying_face(cap);
+      } else {
+        cap.scope.origin = shape.scope.at({0, 0, shape.scope.size.z});
+        cap.scope.size.z = 0;
+      }
+      framed(cap);
+      if (!(shape.open & side_bottom)) {
+        const PooledPolygon& pooled = machine.polygon_of(shape);
+        Polygon turned = pooled.polygon;
+        mirror_u(turned);
+        Shape base = cap;
+        const double w = shape.scope.size.x;
+        const double along = prism_height(shape);
+        base.scope.origin = cap.scope.at({w, 0, -along});
+        base.scope.x = -cap.scope.x;
+        base.scope.z = -cap.scope.z;
+        translate(turned, {pooled.natural.x, 0});
+        machine.new_polygon(base) = std::move(turned);
+        const_cast<PooledPolygon&>(machine.polygon_of(base)).natural = pooled.natural;
+        framed(base);
+      }
+      break;
+    }
+    case Form::mesh:
+      push_mesh_faces(machine, shape);
+      break;
+  }
+}
+
+namespace {
+
+/// The shape's outline in its scope, for flat shapes; of a solid's base otherwise.
+Polygon outline_of(const Machine& machine, const Shape& shape) {
+  if (shape.form == Form::polygon || shape.form == Form::prism) {
+    const PooledPolygon& pooled = machine.polygon_of(shape);
+    Polygon scaled = pooled.polygon;
+    const PlaneMap map(shape, pooled.natural);
+    for (Vec2& p : scaled.points) p = map.scaled(p);
+    return scaled;
+  }
+  if (shape.form == Form::rectangle) return rectangle(shape.scope.size.x, shape.scope.size.y);
+  return {};
+}
+
+}  // namespace
+
+void push_edges(Machine& machine, const Shape& shape) {
+  const Polygon outline = outline_of(machine, shape);
+  const PlaneMap map(shape, bounds(outline.points).size());
+  for_each_edge(outline, [&](uint32_t i, Vec2 from, Vec2 to) {
+    const Vec2 along = normalized(to - from);
+    const Vec3 x = map.direction(along), y = map.direction(left_of(along) * -1);
+    Shape edge = piece_of(shape, map(from, 0), x, y, cross(x, y), {length(to - from), 0, 0});
+    edge.form = Form::line;
+    edge.tag = outline.tags[i];
+    machine.scratch_shapes.push_back(edge);
+  });
+}
+
+void push_vertices(Machine& machine, const Shape& shape) {
+  const Polygon outline = outline_of(machine, shape);
+  const PlaneMap map(shape, bounds(outline.points).size());
+  for_each_edge(outline, [&](uint32_t i, Vec2 from, Vec2) {
+    Shape vertex = shape;
+    vertex.form = Form::nothing;
+    vertex.geometry = Shape::none;
+    vertex.scope.origin = shape.scope.at(map(from, 0));
+    vertex.scope.size = {};
+    vertex.tag = outline.tags[i];
+    machine.scratch_shapes.push_back(vertex);
+  });
+}
+
+}  // namespace mansard

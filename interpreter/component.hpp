@@ -1,0 +1,57 @@
+// The faces, edges and vertices of shapes, each as a shape with its own frame: x along its first
+// (lowest) edge, y up the face, z its outward normal.
+#pragma once
+
+#include <span>
+
+#include "interpreter/machine.hpp"
+
+namespace mansard {
+
+/// Maps a pooled polygon's plane into its shape's scope, stretched to the scope's size.
+class PlaneMap {
+ public:
+  PlaneMap(const Shape& shape, Vec2 natural)
+      : ground_(shape.ground),
+        depth_(shape.scope.size.z),
+        scale_{natural.x > 0 ? shape.scope.size.x / natural.x : 1,
+               natural.y > 0 ? (shape.ground ? shape.scope.size.z : shape.scope.size.y) / natural.y
+                             : 1} {}
+  Vec2 scaled(Vec2 p) const { return {p.x * scale_.x, p.y * scale_.y}; }
+  Vec3 operator()(Vec2 p, double along) const {
+    const Vec2 q = scaled(p);
+    return ground_ ? Vec3{q.x, along, depth_ - q.y} : Vec3{q.x, q.y, along};
+  }
+  Vec3 direction(Vec2 d) const { return ground_ ? Vec3{d.x, 0, -d.y} : Vec3{d.x, d.y, 0}; }
+
+ private:
+  bool ground_;
+  double depth_;
+  Vec2 scale_;
+};
+
+/// Side 0 to 5 (front, right, back, left, top, bottom) of a box as a rectangle.
+Shape box_side(const Shape& box, int side);
+
+/// Height of a prism along the direction it was drawn.
+double prism_height(const Shape& prism);
+uint32_t prism_walls(const Machine& machine, const Shape& prism);
+/// Wall i stands on edge i of the polygon.
+Shape prism_wall(Machine& machine, const Shape& prism, uint32_t i);
+
+/// The flat shape lying on the ground as a face that looks up: x stays, y runs into the depth.
+Shape lying_face(const Shape& flat);
+/// The face that looks up as a flat shape on the ground (the frame of footprints), and back.
+Shape standing_ground(const Shape& face);
+
+/// A planar loop in world coordinates (counter-clockwise from outside), with holes, as a shape.
+Shape face_of(Machine& machine, const Shape& parent, std::span<const Vec3> loop,
+              std::span<const std::vector<Vec3>> holes, EdgeTag tag);
+
+/// Pushes every face that is a surface onto machine.scratch_shapes.
+void push_faces(Machine& machine, const Shape& shape);
+/// Pushes every edge (a line shape, y away from the face) or vertex (a frame).
+void push_edges(Machine& machine, const Shape& shape);
+void push_vertices(Machine& machine, const Shape& shape);
+
+}  // namespace mansard

@@ -1,0 +1,240 @@
+// Terminals to surfaces.
+#include <cmath>
+
+#include "geometry/clip.hpp"
+#include "interpreter/component.hpp"
+#include "interpreter/machine.hpp"
+
+namespace mansard {
+namespace {
+
+constexpr double thin = 1e-9;  ///< metres; faces thinner than this are no faces
+
+bool mirrored(const Scope& scope) { return dot(cross(scope.x, scope.y), scope.z) < 0; }
+
+}  // namespace
+
+const Material& Machine::material(uint32_t number) const {
+  const std::size_t shared = program.materials.size();
+  return number < shared ? program.materials[number] : building->materials[number - shared];
+}
+
+uint32_t Machine::add_material(const Material& material) {
+  const auto same = [&](const Material& m) {
+    return m.color == material.color && m.texture == material.texture &&
+           m.metres == material.metres && m.opacity == material.opacity && m.name == material.name;
+  };
+  for (std::size_t i = 0; i < building->materials.size(); ++i) {
+    if (same(building->materials[i])) return static_cast<uint32_t>(program.materials.size() + i);
+  }
+  building->materials.push_back(material);
+  return static_cast<uint32_t>(program.materials.size() + building->materials.size() - 1);
+}
+
+/// A look chosen in the very rule that emitted the terminal beats Materials; one inherited from
+/// above does not (as inline and inherited styles in CSS).
+uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) {
+  const uint32_t table = program.styles[shape.style].materials[symbol];
+  if (table == none) return shape.material;
+  const bool direct = shape.look_by != Shape::none &&
+                      (shape.look_by == shape.node || shape.look_by == nodes_[shape.node].parent);
+  if (direct) return shape.material;
+  const MaterialTable& materials = program.material_tables[table];
+  if (materials.materials.size() == 1) return materials.materials[0];
+  double draw =
+      unit_interval(stream_of(materials.per, materials.per_symbol, shape, materials.salt)) *
+      materials.total;
+  std::size_t i = 0;
+  while (i + 1 < materials.weights.size() && draw >= materials.weights[i])
+    draw -= materials.weights[i++];
+  return materials.materials[i];
+}
+
+void Machine::draw(const Shape& shape, uint32_t symbol) {
+  const uint32_t elements = program.styles[shape.style].elements[symbol];
+  if (elements != none && rules_of(shape) == none && draw_element(shape, elements)) return;
+  const uint32_t look = look_of(shape, symbol);
+  Shape drawn = shape;
+  drawn.material = look;
+  switch (shape.form) {
+    case Form::nothing:
+    case Form::line:
+      return;
+    case Form::rectangle:
+      draw_rectangle(drawn);
+      break;
+    case Form::polygon:
+      draw_polygon(drawn, 0, false);
+      break;
+    case Form::box:
+      draw_box(drawn);
+      break;
+    case Form::prism:
+      draw_prism(drawn);
+      break;
+    case Form::mesh:
+      draw_mesh(drawn, mesh_of(shape), own_looks(mesh_of(shape).mesh()));
+      break;
+  }
+  close_run(symbol, look);
+}
+
+void Machine::close_run(uint32_t symbol, uint32_t look) {
+  Surface& surface = building->surface;
+  const auto end = static_cast<uint32_t>(surface.polygons());
+  const uint32_t begin = surface.runs.empty() ? 0 : surface.runs.back().end;
+  if (begin == end) return;
+  if (!surface.runs.empty() && surface.runs.back().symbol == symbol &&
+      surface.runs.back().material == look) {
+    surface.runs.back().end = end;
+  } else {
+    surface.runs.push_back({symbol, look, end});
+  }
+}
+
+/// Adds a planar polygon with texture coordinates from the shape's texture frame (so that textures
+/// run on across splits), or from its own scope where the frame belongs to another plane.
+void Machine::push_polygon(std::span<const Vec3> loop, const Shape& shape) {
+  Surface& surface = building->surface;
+  const Vec3 area = newell(loop);
+  const double size = length(area);
+  if (!(size > thin * thin)) return;
+  const Vec3 normal = area * (1 / size);
+  UvFrame frame{shape.scope.origin, shape.scope.x, shape.scope.y};
+  if (shape.uv_frame != Shape::none) {
+    const UvFrame& wall = uv_frames[shape.uv_frame];
+    if (std::abs(dot(cross(wall.u, wall.v), normal)) > 0.7) frame = wall;
+  }
+  if (std::abs(dot(cross(frame.u, frame.v), normal)) < 0.7) {
+    frame.u = normalized(loop[1] - loop[0]);
+    frame.v = cross(normal, frame.u);
+  }
+  const Vec2 metres = material(shape.material).metres;
+  frame.u = frame.u * (1 / metres.x);
+  frame.v = frame.v * (1 / metres.y);
+  for (const Vec3& p : loop) {
+    const Vec3 d = p - frame.origin;
+    surface.points.push_back(p);
+    surface.uvs.push_back({dot(d, frame.u), dot(d, frame.v)});
+  }
+  surface.ends.push_back(static_cast<uint32_t>(surface.points.size()));
+  surface.normals.push_back(normal);
+}
+
+void Machine::draw_rectangle(const Shape& shape) {
+  const Scope& s = shape.scope;
+  if (s.size.x < thin || s.size.y < thin) return;
+  const Vec3 right = s.x * s.size.x, up = s.y * s.size.y;
+  std::array<Vec3, 4> loop{s.origin, s.origin + right, s.origin + right + up, s.origin + up};
+  if (mirrored(s)) std::swap(loop[1], loop[3]);
+  push_polygon(loop, shape);
+}
+
+/// `along` metres along the direction in which prisms are drawn.
+void Machine::draw_polygon(const Shape& shape, double along, bool reversed) {
+  const PooledPolygon& pooled = polygon_of(shape);
+  const PlaneMap map(shape, pooled.natural);
+  const bool turned = reversed != mirrored(shape.scope);
+  const auto place = [&](Vec2 p) { return shape.scope.at(map(p, along)); };
+  const auto push = [&] {
+    if (turned) std::reverse(loop_.begin(), loop_.end());
+    push_polygon(loop_, shape);
+  };
+  if (!pooled.polygon.has_holes()) {
+    loop_.clear();
+    for (const Vec2 p : pooled.polygon.points) loop_.push_back(place(p));
+    return push();
+  }
+  const auto triangles = triangulate(pooled.polygon);
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    loop_.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+      loop_.push_back(place(pooled.polygon.points[triangles[i + k]]));
+    push();
+  }
+}
+
+void Machine::draw_box(const Shape& shape) {
+  for (int side = 0; side < 6; ++side) {
+    if (shape.open & (1 << side)) continue;
+    Shape face = box_side(shape, side);
+    face.material = shape.material;
+    draw_rectangle(face);
+  }
+}
+
+void Machine::draw_prism(const Shape& shape) {
+  const uint32_t walls = prism_walls(*this, shape);
+  for (uint32_t i = 0; i < walls; ++i) draw_rectangle(prism_wall(*this, shape, i));
+  Shape cap = shape;
+  cap.uv_frame = Shape::none;
+  draw_polygon(cap, prism_height(shape), false);
+  if (!(shape.open & side_bottom)) draw_polygon(cap, 0, true);
+}
+
+/// Numbers of the materials that the mesh's own file gave it.
+std::span<const uint32_t> Machine::own_looks(const Mesh& mesh) {
+  looks_.clear();
+  for (const Mesh::Material& m : mesh.materials) looks_.push_back(add_material(material_from(m)));
+  return looks_;
+}
+
+void Machine::draw_mesh(const Shape& shape, const PooledMesh& pooled,
+                        std::span<const uint32_t> looks) {
+  const Mesh& mesh = pooled.mesh();
+  const Scope& s = shape.scope;
+  const auto stretch = [](double size, double natural) {
+    return natural > thin ? size / natural : 1;
+  };
+  const Vec3 scale{stretch(s.size.x, pooled.natural.x), stretch(s.size.y, pooled.natural.y),
+                   stretch(s.size.z, pooled.natural.z)};
+  const bool turned = mirrored(s);
+  Surface& surface = building->surface;
+  Shape look = shape;
+  for (const Mesh::Face& face : mesh.faces) {
+    loop_.clear();
+    for (const uint32_t corner : mesh.loop(face)) {
+      const Vec3 p = mesh.points[corner] - pooled.low;
+      loop_.push_back(s.at({p.x * scale.x, p.y * scale.y, p.z * scale.z}));
+    }
+    if (turned) std::reverse(loop_.begin(), loop_.end());
+    const bool own_look = face.material < looks.size();
+    if (own_look) look.material = looks[face.material];
+    const std::size_t before = surface.uvs.size();
+    push_polygon(loop_, look);
+    if (own_look && !mesh.uvs.empty() && surface.uvs.size() > before) {
+      for (std::size_t i = 0; i < loop_.size(); ++i) {
+        surface.uvs[before + i] = mesh.uvs[turned ? face.end - 1 - i : face.begin + i];
+      }
+    }
+    if (own_look) close_run(shape.symbol, look.material);
+  }
+}
+
+/// One alternative by weight, fitted to the scope; a flat scope keeps the mesh's own depth.
+bool Machine::draw_element(const Shape& shape, uint32_t number) {
+  const ElementTable& table = program.element_tables[number];
+  if (table.choices.empty() || shape.form == Form::line) return false;
+  double draw = unit_interval(mix(shape.seed, hash_of("element"))) * table.total;
+  std::size_t chosen = 0;
+  while (chosen + 1 < table.choices.size() && draw >= table.choices[chosen].weight) {
+    draw -= table.choices[chosen++].weight;
+  }
+  const ElementTable::Choice& choice = table.choices[chosen];
+  const std::size_t level = options.lod >= 3 ? 0 : choice.meshes.size() - 1;
+  const Mesh* const mesh = choice.meshes[level];
+  if (!mesh) return false;
+  PooledMesh pooled;
+  pooled.borrowed = mesh;
+  const Box3 box = bounds(mesh->points);
+  pooled.low = box.low;
+  pooled.natural = box.size();
+  Shape fitted = shape;
+  if (fitted.scope.size.z < thin) fitted.scope.size.z = pooled.natural.z;
+  fitted.material = look_of(shape, shape.symbol);
+  draw_mesh(fitted, pooled, choice.materials[level]);
+  close_run(shape.symbol, fitted.material);
+  return true;
+}
+
+}  // namespace mansard

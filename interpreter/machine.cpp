@@ -1,0 +1,435 @@
+// The loop of the derivation: take a shape, choose a production, carry out its successor.
+#include "interpreter/machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/messages.hpp"
+#include "interpreter/units.hpp"
+
+namespace mansard {
+
+Machine::Machine(const Program& p, MeshSource& meshes, const DeriveOptions& o)
+    : program(p),
+      options(o),
+      mesh_source(meshes),
+      counts_(p.symbols.size()),
+      variable_values_(p.variables.size()),
+      variable_known_(p.variables.size(), 0),
+      property_values_(p.properties.size(), nullptr),
+      property_known_(p.properties.size(), 0),
+      property_origin_(p.properties.size(), none),
+      variable_property_(p.variables.size(), none) {}
+
+void Machine::derive(const Footprint& input, Building& result) {
+  reset(input, result);
+  try {
+    Shape start = footprint_shape();
+    nodes_.push_back({Shape::none, start.symbol, start.seed});
+    start.node = 0;
+    if (options.keep_tree) building->tree.push_back({start, Shape::none, false});
+    stack_.push_back(start);
+    while (!stack_.empty()) {
+      Shape shape = stack_.back();
+      stack_.pop_back();
+      expand(shape);
+    }
+  } catch (Failure& failure) {
+    explain(failure.diagnostic);
+    auto warnings = std::move(result.warnings);
+    result.clear();
+    result.id = input.id;
+    result.warnings = std::move(warnings);
+    throw;
+  }
+}
+
+void Machine::reset(const Footprint& input, Building& result) {
+  footprint = &input;
+  building = &result;
+  result.clear();
+  result.id = input.id;
+  result.terminals.resize(program.symbols.size());
+  stack_.clear();
+  nodes_.clear();
+  polygons_.reset();
+  meshes_.reset();
+  values_.reset();
+  characters_.reset();
+  settings.clear();
+  uv_frames.clear();
+  scratch_shapes.clear();
+  scratch_sizes.clear();
+  std::fill(counts_.begin(), counts_.end(), Count{});
+  expanding = none;
+  production = nullptr;
+  current_rules_ = none;
+  depth_of_calls_ = 0;
+  ++building_number_;
+  building_seed_ = mix(options.seed, hash_of(input.id));
+  for (uint32_t i = 0; i < input.properties.size(); ++i) {
+    const Property& property = input.properties[i];
+    if (const auto slot = program.properties.find(property.name)) {
+      property_values_[*slot] = &property.value;
+      property_known_[*slot] = building_number_;
+      property_origin_[*slot] = i;
+    }
+  }
+}
+
+Shape Machine::footprint_shape() {
+  const Polygon& plan = footprint->polygon;
+  if (plan.points.size() < 3 || plan.rings() == 0) {
+    fail({}, "the footprint has fewer than three points", "leave it out with --keep-going");
+  }
+  const auto outline = plan.ring(0);
+  const Vec2 along = normalized(outline[1] - outline[0]), into = left_of(along);
+  Shape shape;
+  shape.form = Form::polygon;
+  shape.ground = true;
+  shape.geometry = polygons_.take();
+  PooledPolygon& pooled = polygons_[shape.geometry];
+  pooled.polygon.clear();
+  for (std::size_t r = 0; r < plan.rings(); ++r) {
+    for (uint32_t i = plan.ring_begin(r); i < plan.ring_ends[r]; ++i) {
+      const Vec2 p = plan.points[i] - outline[0];
+      pooled.polygon.add_point({dot(p, along), dot(p, into)}, plan.tags[i]);
+    }
+    pooled.polygon.close_ring();
+  }
+  const Box2 box = bounds(pooled.polygon.points);
+  for (Vec2& p : pooled.polygon.points) p = p - box.low;
+  pooled.natural = box.size();
+  const double ground = [&] {
+    const Property* p = footprint->find("min_height");
+    if (!p) return 0.0;
+    if (const double* v = std::get_if<double>(&p->value)) return *v;
+    const std::string* text = std::get_if<std::string>(&p->value);
+    return text ? read_number(*text).value_or(0) : 0.0;
+  }();
+  base_elevation = std::isfinite(ground) ? ground : 0;
+  const Vec2 corner = outline[0] + along * box.low.x + into * box.high.y;
+  shape.scope.origin = {corner.x, base_elevation, -corner.y};
+  shape.scope.x = {along.x, 0, -along.y};
+  shape.scope.z = {along.y, 0, along.x};
+  shape.scope.size = {pooled.natural.x, 0, pooled.natural.y};
+  shape.style = program.main_style;
+  shape.symbol = program.styles[program.main_style].start;
+  shape.seed = building_seed_;
+  if (!std::isfinite(pooled.natural.x + pooled.natural.y + corner.x + corner.y)) {
+    fail({}, "the footprint has coordinates that are not numbers");
+  }
+  return shape;
+}
+
+uint32_t Machine::rules_of(const Shape& shape) const {
+  return shape.plain ? none : program.styles[shape.style].rules[shape.symbol];
+}
+
+void Machine::expand(Shape& shape) {
+  const uint32_t rule_set = rules_of(shape);
+  expanding = shape.node;
+  if (rule_set == none) return finish(shape);
+  const RuleSet& rules = program.rule_sets[rule_set];
+  const std::size_t first = stack_.size();
+  emitted = 0;
+  // Operations change the shape; guards and arguments read it as it is at their place.
+  const Scope frame = shape.scope;
+  Env env{&shape, shape.arguments, shape.seed, &frame};
+  rewrite(rules, rule_set, shape, env);
+  production = nullptr;
+  if (emitted == 0) return finish(shape);
+  std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(first), stack_.end());
+}
+
+void Machine::rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env& env) {
+  const Production* chosen = choose(rules, shape, env);
+  if (!chosen) return no_candidate(rules, shape);
+  const Production* const before = production;
+  const uint32_t rules_before = current_rules_;
+  production = chosen;
+  current_rules_ = rule_set;
+  bind_index(*chosen, rules, shape, env);
+  run(chosen->body, shape, env);
+  production = before;
+  current_rules_ = rules_before;
+}
+
+void Machine::bind_index(const Production& chosen, const RuleSet& rules, const Shape& shape,
+                         Env& env) {
+  if (chosen.index_parameter == 0xff) return;
+  Value* const bound = values_.take(rules.parameters + 1u);
+  std::copy_n(env.parameters, rules.parameters, bound);
+  bound[rules.parameters] = Value::of(shape.index);
+  env.parameters = bound;
+}
+
+/// All productions whose condition holds are candidates, indexed ones before the others; `else`
+/// only where none before it was. One is drawn by the normalised probabilities.
+const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env& env) {
+  const Production* const all = program.productions.data() + rules.first;
+  if (rules.always) return all;
+  std::array<std::pair<const Production*, double>, 64> candidates;
+  const Env outer = env;
+  for (const bool indexed : {true, false}) {
+    if (indexed && !rules.tests_index) continue;
+    std::size_t found = 0;
+    double total = 0;
+    for (uint32_t i = 0; i < rules.count && found < candidates.size(); ++i) {
+      const Production& p = all[i];
+      if ((p.index_test != none) != indexed || (p.is_else && found > 0)) continue;
+      Env inner = outer;
+      production = &p;
+      bind_index(p, rules, shape, inner);
+      if (p.index_test != none && number(p.index_test, inner) != shape.index) continue;
+      if (p.guard != none && !condition(p.guard, inner)) continue;
+      const double weight = p.probability == none ? 1 : number(p.probability, inner);
+      if (weight < 0) fail(program.spans[p.probability], "a probability can not be negative");
+      candidates[found++] = {&p, weight};
+      total += weight;
+    }
+    if (found == 0 || total <= 0) continue;
+    if (found == 1) return candidates[0].first;
+    double draw = unit_interval(mix(shape.seed, hash_of("production"))) * total;
+    for (std::size_t i = 0; i + 1 < found; ++i) {
+      if (draw < candidates[i].second) return candidates[i].first;
+      draw -= candidates[i].second;
+    }
+    return candidates[found - 1].first;
+  }
+  return nullptr;
+}
+
+void Machine::no_candidate(const RuleSet& rules, const Shape& shape) {
+  ++building->unmatched;
+  const Production& first = program.productions[rules.first];
+  const auto name = std::string(program.symbols[shape.symbol]);
+  std::string text =
+      "no production of '" + name + "' fits a shape of " + size_text(shape.scope.size);
+  Diagnostic d{
+      Severity::error, "W010", first.syntax->head, text, {}, {}, "add a production with ': else'"};
+  for (uint32_t i = 0; i < rules.count; ++i) {
+    const Production& p = program.productions[rules.first + i];
+    if (p.syntax->guard)
+      d.notes.push_back({"this condition was tried and is false", p.syntax->guard->at});
+  }
+  if (options.strict) {
+    d.code = {};
+    throw Failure(std::move(d));
+  }
+  d.severity = Severity::warning;
+  for (const Diagnostic& known : building->warnings) {
+    if (known.code == d.code && known.at == d.at) return;
+  }
+  building->warnings.push_back(std::move(d));
+}
+
+void Machine::run(BodyId body, Shape& shape, const Env& env) {
+  const Body& b = program.bodies[body];
+  for (const Step *s = program.steps.data() + b.first, *end = s + b.count; s != end; ++s) {
+    step(*s, shape, env);
+  }
+}
+
+void Machine::step(const Step& s, Shape& shape, const Env& outer) {
+  Env env{&shape, outer.parameters, outer.draws, outer.frame};
+  switch (s.kind) {
+    case StepKind::emit:
+      emit(s, s.what, s.style == 0xffff ? shape.style : s.style, shape, env);
+      break;
+    case StepKind::emit_value:
+      emit_value(s, shape, env);
+      break;
+    case StepKind::operation: {
+      const Call& call = program.calls[s.what];
+      ++building->operations;
+      if (call.has_parts && !call.operation->is_split) {
+        Shape piece = shape;  // after the parts the shape is what it was
+        Context context(*this, call, piece, env);
+        call.operation->invoke(context);
+      } else {
+        Context context(*this, call, shape, env);
+        call.operation->invoke(context);
+      }
+      break;
+    }
+    case StepKind::push: {
+      Shape inner = shape;
+      run(s.what, inner, env);
+      break;
+    }
+    case StepKind::super:
+      run_super(shape, env);
+      break;
+    case StepKind::branch:
+      for (const BranchArm& arm : program.branches[s.what].arms) {
+        if (arm.condition != none && !condition(arm.condition, env)) continue;
+        run(arm.body, shape, env);
+        break;
+      }
+      break;
+  }
+}
+
+void Machine::run_super(Shape& shape, const Env& env) {
+  const uint32_t next = program.rule_sets[current_rules_].super;
+  if (next == none) {
+    Step plain;
+    plain.kind = StepKind::super;
+    return emit(plain, nodes_[expanding].symbol, shape.style, shape, env);
+  }
+  Env inner = env;
+  inner.draws = mix(env.draws, next);
+  rewrite(program.rule_sets[next], next, shape, inner);
+}
+
+void Machine::emit_value(const Step& s, const Shape& shape, const Env& env) {
+  const Value value = evaluate(s.what, env);
+  if (value.type != Type::symbol) {
+    fail(s.at, "'" + std::string(s.at.text()) + "' stands as a symbol but is " +
+                   std::string(described(value.type)));
+  }
+  emit(s, value.symbol, value.size > 0 ? value.size - 1 : shape.style, shape, env);
+}
+
+uint16_t Machine::style_named(const Value& name, Span at) const {
+  if (name.type == Type::string) {
+    if (const auto it = program.style_numbers.find(name.string());
+        it != program.style_numbers.end()) {
+      return it->second;
+    }
+  }
+  std::vector<std::string_view> known;
+  for (const CompiledStyle& style : program.styles) known.push_back(style.name);
+  const std::string_view word = name.type == Type::string ? name.string() : std::string_view{};
+  const auto meant = nearest(word, known);
+  const_cast<Machine*>(this)->fail(
+      at, "no style '" + std::string(word) + "' is loaded",
+      meant ? "did you mean '" + std::string(*meant) + "'?" : "import the file that holds it");
+}
+
+void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& shape,
+                   const Env& env) {
+  ++emitted;
+  if (symbol == nil_symbol) return;
+  Shape child = shape;
+  child.symbol = symbol;
+  child.style = static_cast<uint16_t>(style);
+  if (s.style_of != none) {
+    child.style = style_named(evaluate(s.style_of, env), program.spans[s.style_of]);
+  }
+  child.plain = s.kind == StepKind::super || shape.plain;
+  child.depth = static_cast<uint16_t>(shape.depth + 1);
+  if (s.index != none) child.index = number(s.index, env);
+  if (!child.plain) {
+    child.arguments = nullptr;
+    if (s.argument_count > 0) {
+      Value* const values = values_.take(s.argument_count);
+      for (uint32_t i = 0; i < s.argument_count; ++i) {
+        values[i] = evaluate(program.arguments[s.arguments + i], env);
+      }
+      child.arguments = values;
+    }
+  }
+  Count& count = counts_[symbol];
+  if (count.node != expanding) count = {expanding, 0};
+  child.seed = mix(mix(nodes_[expanding].seed, program.symbol_hashes[symbol]), count.count++);
+  child.node = static_cast<uint32_t>(nodes_.size());
+  nodes_.push_back({expanding, symbol, child.seed});
+  if (++building->shapes > options.max_shapes) {
+    fail(s.at, "more than " + std::to_string(options.max_shapes) + " shapes in one building",
+         "does a rule call itself without end? --max-shapes allows more");
+  }
+  if (options.keep_tree) building->tree.push_back({child, expanding, false});
+  const uint32_t rules = rules_of(child);
+  if (rules == none) return finish(child);
+  if (child.depth > options.max_depth) {
+    fail(s.at, "more than " + std::to_string(options.max_depth) + " shapes deep",
+         "does a rule call itself without end? give it a condition that ends it, or --max-depth");
+  }
+  check_arguments(s, program.rule_sets[rules], child);
+  stack_.push_back(child);
+}
+
+void Machine::check_arguments(const Step& s, const RuleSet& rules, const Shape& child) {
+  if (s.kind == StepKind::super || rules.parameters == s.argument_count) return;
+  fail(s.at, "'" + std::string(program.symbols[child.symbol]) + "' takes " +
+                 count_text(rules.parameters, "argument") + ", not " +
+                 std::to_string(s.argument_count));
+}
+
+void Machine::finish(Shape& shape) {
+  ++building->terminals[shape.symbol];
+  if (options.keep_tree) building->tree[shape.node].terminal = true;
+  draw(shape, shape.symbol);
+}
+
+void Machine::finish_early(Shape& piece) {
+  ++emitted;
+  ++building->terminals[piece.symbol];
+  draw(piece, piece.symbol);
+  piece.form = Form::nothing;
+  piece.plain = true;
+}
+
+Polygon& Machine::new_polygon(Shape& shape) {
+  shape.geometry = polygons_.take();
+  Polygon& polygon = polygons_[shape.geometry].polygon;
+  polygon.clear();
+  return polygon;
+}
+
+void Machine::adopt(Shape& shape, Polygon&& polygon) {
+  const Box2 box = bounds(polygon.points);
+  const Vec2 size = box.size();
+  translate(polygon, box.low * -1);
+  const double old_depth = shape.scope.size.z;
+  const Vec3 low =
+      shape.ground ? Vec3{box.low.x, 0, old_depth - box.high.y} : Vec3{box.low.x, box.low.y, 0};
+  shape.scope.origin = shape.scope.at(low);
+  shape.scope.size = shape.ground ? Vec3{size.x, shape.scope.size.y, size.y}
+                                  : Vec3{size.x, size.y, shape.scope.size.z};
+  if (!shape.ground && shape.form == Form::polygon && is_axis_rectangle(polygon, 1e-9)) {
+    shape.form = Form::rectangle;
+    shape.geometry = Shape::none;
+    return;
+  }
+  shape.geometry = polygons_.take();
+  polygons_[shape.geometry].polygon = std::move(polygon);
+  polygons_[shape.geometry].natural = size;
+}
+
+uint32_t Machine::add_mesh(Mesh&& mesh) {
+  const uint32_t number = meshes_.take();
+  PooledMesh& pooled = meshes_[number];
+  pooled.own = std::move(mesh);
+  pooled.borrowed = nullptr;
+  const Box3 box = bounds(pooled.own.points);
+  pooled.low = box.low;
+  pooled.natural = box.size();
+  return number;
+}
+
+uint32_t Machine::borrow_mesh(const Mesh& mesh) {
+  const uint32_t number = meshes_.take();
+  PooledMesh& pooled = meshes_[number];
+  pooled.borrowed = &mesh;
+  const Box3 box = bounds(mesh.points);
+  pooled.low = box.low;
+  pooled.natural = box.size();
+  return number;
+}
+
+void Machine::frame_uvs(Shape& shape) {
+  shape.uv_frame = static_cast<uint32_t>(uv_frames.size());
+  uv_frames.push_back({shape.scope.origin, shape.scope.x, shape.scope.y});
+}
+
+Derivation::Derivation(const Program& program, MeshSource& meshes, const DeriveOptions& options)
+    : machine_(std::make_unique<Machine>(program, meshes, options)) {}
+Derivation::~Derivation() = default;
+void Derivation::derive(const Footprint& footprint, Building& building) {
+  machine_->derive(footprint, building);
+}
+
+}  // namespace mansard

@@ -1,0 +1,252 @@
+// The derivation at work: the stack of shapes, the pools, the evaluation of expressions. Private to
+// the interpreter; the rest of the house sees derivation.hpp.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/building.hpp"
+#include "interpreter/derivation.hpp"
+#include "interpreter/operation.hpp"
+#include "interpreter/pool.hpp"
+#include "interpreter/program.hpp"
+#include "interpreter/random.hpp"
+#include "interpreter/shape.hpp"
+#include "interpreter/sizes.hpp"
+
+namespace mansard {
+
+/// What expressions are evaluated in.
+struct Env {
+  const Shape* shape = nullptr;       ///< null where no shape may be read
+  const Value* parameters = nullptr;  ///< of the rule or function
+  uint64_t draws = 0;                 ///< random stream
+  const Scope* frame = nullptr;       ///< scope at the start of the rule or part, for center()
+};
+
+/// A polygon of the pool: coordinates run from 0 to `natural`; a scope of another size stretches
+/// it.
+struct PooledPolygon {
+  Polygon polygon;
+  Vec2 natural;
+};
+
+/// A mesh of the pool, its own or borrowed from the mesh source; `low` is its lowest corner.
+struct PooledMesh {
+  Mesh own;
+  const Mesh* borrowed = nullptr;
+  Vec3 low, natural;
+  const Mesh& mesh() const { return borrowed ? *borrowed : own; }
+};
+
+/// Where a texture starts and runs on a wall.
+struct UvFrame {
+  Vec3 origin, u, v;
+};
+
+/// A value given by set(), newest first.
+struct SettingEntry {
+  uint32_t setting;
+  uint32_t next;
+  Value value;
+};
+
+class Machine {
+ public:
+  Machine(const Program& program, MeshSource& meshes, const DeriveOptions& options);
+
+  void derive(const Footprint& footprint, Building& building);
+
+  // ---- expressions (evaluate.cpp, variables.cpp)
+  Value evaluate(ExprId expr, const Env& env);
+  bool condition(ExprId expr, const Env& env);
+  double number(ExprId expr, const Env& env);
+  Value property(uint32_t slot, const Value& fallback, uint32_t node);
+  Value variable(uint32_t slot, const Env& env, uint32_t node);
+  Value input(Input which);
+  bool fits(uint32_t call, const Env& env);
+  double attribute_number(Attribute attribute, const Shape& shape);
+  const Value* keep(std::span<const Value> values);
+  std::string_view keep(std::string_view text);
+
+  // ---- shapes
+  Polygon& new_polygon(Shape& shape);
+  const PooledPolygon& polygon_of(const Shape& shape) const { return polygons_[shape.geometry]; }
+  /// Takes polygon as the shape's geometry: the scope becomes its bounds within the old scope.
+  void adopt(Shape& shape, Polygon&& polygon);
+  uint32_t add_mesh(Mesh&& mesh);
+  uint32_t borrow_mesh(const Mesh& mesh);
+  const PooledMesh& mesh_of(const Shape& shape) const { return meshes_[shape.geometry]; }
+  void frame_uvs(Shape& shape);
+
+  // ---- derivation
+  void run(BodyId body, Shape& shape, const Env& env);
+  /// Draws it as a terminal of its symbol.
+  void finish(Shape& shape);
+  /// Draws a piece of the rule being derived as a terminal of that rule's symbol (levels of
+  /// detail).
+  void finish_early(Shape& piece);
+  void draw(const Shape& shape, uint32_t symbol);
+
+  // ---- looks
+  const Material& material(uint32_t number) const;
+  uint32_t add_material(const Material& material);
+
+  // ---- what went wrong
+  [[noreturn]] void fail(Span at, std::string text, std::string help = {});
+  void warn(std::string_view code, Span at, std::string text, std::string help = {});
+
+  const Program& program;
+  const DeriveOptions options;
+  MeshSource& mesh_source;
+  Building* building = nullptr;
+  const Footprint* footprint = nullptr;
+  const Production* production = nullptr;  ///< being derived
+  uint32_t expanding = none;               ///< node being derived
+  std::vector<SettingEntry> settings;
+  std::vector<UvFrame> uv_frames;
+  std::vector<Shape> scratch_shapes;   ///< a stack: users shrink it back
+  std::vector<double> scratch_sizes;   ///< likewise
+  std::vector<SizeValue> size_values;  ///< of the split being solved
+  double base_elevation = 0;
+  std::size_t emitted = 0;  ///< shapes emitted by the rule being derived
+
+ private:
+  struct Node {
+    uint32_t parent, symbol;
+    uint64_t seed;
+  };
+  struct Count {
+    uint32_t node = none, count = 0;
+  };
+
+  void reset(const Footprint& footprint, Building& result);
+  Shape footprint_shape();
+  void expand(Shape& shape);
+  uint32_t rules_of(const Shape& shape) const;
+  const Production* choose(const RuleSet& rules, const Shape& shape, Env& env);
+  void rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env& env);
+  void step(const Step& step, Shape& shape, const Env& env);
+  void emit(const Step& step, uint32_t symbol, uint32_t style, const Shape& shape, const Env& env);
+  void emit_value(const Step& step, const Shape& shape, const Env& env);
+  void run_super(Shape& shape, const Env& env);
+  void check_arguments(const Step& step, const RuleSet& rules, const Shape& child);
+  void no_candidate(const RuleSet& rules, const Shape& shape);
+  uint16_t style_named(const Value& name, Span at) const;
+  void bind_index(const Production& chosen, const RuleSet& rules, const Shape& shape, Env& env);
+  void explain(Diagnostic& diagnostic) const;
+
+  // evaluate.cpp
+  Value infix(const ExprNode& node, uint32_t id, const Env& env);
+  Value compare(const ExprNode& node, uint32_t id, const Value& a, const Value& b);
+  Value attribute(Attribute which, const Shape* shape, uint32_t id);
+  Value subscript(const ExprNode& node, uint32_t id, const Env& env);
+  Value call_function(const ExprNode& node, uint32_t id, const Env& env);
+  Value define(const ExprNode& node, uint32_t id, const Env& env);
+  double measure(Attribute which, const Shape& shape);
+
+  // draw.cpp
+  void draw_rectangle(const Shape& shape);
+  void draw_polygon(const Shape& shape, double along, bool reversed);
+  void draw_box(const Shape& shape);
+  void draw_prism(const Shape& shape);
+  void draw_mesh(const Shape& shape, const PooledMesh& mesh, std::span<const uint32_t> looks);
+  std::span<const uint32_t> own_looks(const Mesh& mesh);
+  bool draw_element(const Shape& shape, uint32_t table);
+  void push_polygon(std::span<const Vec3> loop, const Shape& shape);
+  void close_run(uint32_t symbol, uint32_t material);
+  uint32_t look_of(const Shape& shape, uint32_t symbol);
+  uint64_t stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
+                     uint64_t salt) const;
+
+  std::vector<Shape> stack_;
+  std::vector<Node> nodes_;
+  std::vector<Count> counts_;  ///< by symbol: how many the current rule has emitted
+  Pool<PooledPolygon> polygons_;
+  Pool<PooledMesh> meshes_;
+  Arena<Value> values_;
+  Arena<char> characters_;
+  std::vector<Vec3> loop_;
+  std::vector<uint32_t> looks_;
+
+  std::vector<Value> variable_values_;
+  std::vector<uint32_t> variable_known_;  ///< building number for which the value holds
+  std::vector<const PropertyValue*> property_values_;
+  std::vector<uint32_t> property_known_;
+  std::vector<uint32_t> property_origin_;
+  std::vector<uint32_t> variable_property_;  ///< property number that overrides, or none
+  uint32_t building_number_ = 0;
+  uint64_t building_seed_ = 0;
+  uint32_t current_rules_ = none;
+  int depth_of_calls_ = 0;
+
+  friend class Context;
+};
+
+/// An operation carried out on a shape: what the functions of the table see.
+class Context {
+ public:
+  Context(Machine& m, const Call& c, Shape& s, const Env& e)
+      : machine(m), call(c), shape(s), env(e) {}
+
+  Machine& machine;
+  const Call& call;
+  Shape& shape;  ///< the current shape; operations without parts change it
+  const Env& env;
+
+  bool has_parts() const { return call.has_parts; }
+  /// Goes on with part i of the rule's list.
+  void part(std::size_t i, Shape& piece);
+  /// Goes on with the named part `i` of the operation's row, if the rule gives it.
+  void named_part(std::size_t i, Shape& piece);
+  bool wants(std::size_t i) const { return i < call.part_of.size() && call.part_of[i] != none; }
+  /// The single part, or the rest of the rule.
+  void become(Shape& piece);
+
+  bool given(std::size_t i) const { return i < call.args.size() && call.args[i].value != none; }
+  Value value(std::size_t i);
+  double number(std::size_t i);
+  Span at(std::size_t i) const;
+  [[noreturn]] void wrong_type(std::size_t i, const Value& value, std::string_view expected);
+  [[noreturn]] void fail(std::size_t i, std::string text, std::string help = {});
+
+  template <class T>
+  T take(std::size_t i);
+
+  void go_on(const CallPart& part, std::size_t i, Shape& piece);
+};
+
+template <>
+double Context::take<double>(std::size_t i);
+template <>
+Length Context::take<Length>(std::size_t i);
+template <>
+bool Context::take<bool>(std::size_t i);
+template <>
+std::string_view Context::take<std::string_view>(std::size_t i);
+template <>
+Value Context::take<Value>(std::size_t i);
+template <>
+Edges Context::take<Edges>(std::size_t i);
+template <>
+Sizes Context::take<Sizes>(std::size_t i);
+template <>
+Values Context::take<Values>(std::size_t i);
+template <>
+Setting Context::take<Setting>(std::size_t i);
+
+template <class T>
+struct taker {
+  static T take(Context& c, std::size_t i) { return c.take<T>(i); }
+};
+template <class T>
+struct taker<std::optional<T>> {
+  static std::optional<T> take(Context& c, std::size_t i) {
+    if (!c.given(i)) return std::nullopt;
+    return c.take<T>(i);
+  }
+};
+
+}  // namespace mansard

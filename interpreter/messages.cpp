@@ -1,0 +1,122 @@
+#include "interpreter/messages.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "interpreter/machine.hpp"
+
+namespace mansard {
+
+std::string count_text(std::size_t n, std::string_view noun) {
+  return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s");
+}
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string size_text(Vec3 size) {
+  return number_text(size.x) + " x " + number_text(size.y) + " x " + number_text(size.z) + " m";
+}
+
+namespace {
+
+std::string_view rule_of(ExprKind kind) {
+  switch (kind) {
+    case ExprKind::add:
+      return "'+' adds two numbers or joins two strings";
+    case ExprKind::subtract:
+      return "'-' takes two numbers";
+    case ExprKind::multiply:
+      return "'*' takes two numbers";
+    case ExprKind::divide:
+      return "'/' takes two numbers";
+    case ExprKind::equal:
+    case ExprKind::unequal:
+      return "only values of one type can be equal";
+    default:
+      return "'<' and its like order two numbers or two strings";
+  }
+}
+
+}  // namespace
+
+std::optional<Diagnostic> operand_error(const Program& program, const ExprNode& node, Type left,
+                                        Type right, ExprId a, ExprId b) {
+  const bool numbers = left == Type::number && right == Type::number;
+  const bool strings = left == Type::string && right == Type::string;
+  const bool equality = node.kind == ExprKind::equal || node.kind == ExprKind::unequal;
+  const bool arithmetic = node.kind < ExprKind::less;
+  if (numbers || (equality && left == right)) return std::nullopt;
+  if (strings && (!arithmetic || node.kind == ExprKind::add)) return std::nullopt;
+  Diagnostic d;
+  d.at = program.spans[a];
+  d.also.push_back(program.spans[b]);
+  d.text = std::string(rule_of(node.kind)) + ", not " + std::string(described(left)) + " and " +
+           std::string(described(right));
+  if ((left == Type::string) != (right == Type::string)) {
+    d.help = "num(text) makes a number of a string, str(value) a string of a number";
+  }
+  return d;
+}
+
+Diagnostic size_count_error(const Call& call, std::size_t sizes) {
+  const std::size_t parts = call.parts.size();
+  Diagnostic d;
+  d.at = call.args_at;
+  d.also = {call.parts_at};
+  d.text = "'" + std::string(call.operation->name) + "' got " + count_text(sizes, "size") +
+           " for " + count_text(parts, "part");
+  d.help = sizes < parts ? "add a size, or drop a part" : "add a part, or drop a size";
+  return d;
+}
+
+void Machine::fail(Span at, std::string text, std::string help) {
+  Diagnostic d;
+  d.at = at;
+  d.text = std::move(text);
+  d.help = std::move(help);
+  throw Failure(std::move(d));
+}
+
+/// Once for each place and building.
+void Machine::warn(std::string_view code, Span at, std::string text, std::string help) {
+  for (const Diagnostic& known : building->warnings) {
+    if (known.code == code && known.at == at) return;
+  }
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = code;
+  d.at = at;
+  d.text = std::move(text);
+  d.help = std::move(help);
+  building->warnings.push_back(std::move(d));
+}
+
+/// Says what was being derived: the rule, the chain of symbols above it, the footprint.
+void Machine::explain(Diagnostic& diagnostic) const {
+  if (production && expanding < nodes_.size()) {
+    const auto symbol = std::string(program.symbols[nodes_[expanding].symbol]);
+    diagnostic.notes.push_back({"while deriving '" + symbol + "' by this rule of style '" +
+                                    std::string(production->from.style->name.text) + "'",
+                                production->syntax->head});
+  }
+  std::string chain;
+  std::size_t shown = 0;
+  uint32_t above = expanding < nodes_.size() ? nodes_[expanding].parent : Shape::none;
+  for (; above != Shape::none && shown < 8; above = nodes_[above].parent, ++shown) {
+    chain += (chain.empty() ? "" : " < ") + std::string(program.symbols[nodes_[above].symbol]);
+  }
+  if (above != Shape::none) chain += " < ...";
+  if (!chain.empty()) diagnostic.notes.push_back({"which came from " + chain, {}});
+  if (footprint) diagnostic.notes.push_back({"for footprint '" + footprint->id + "'", {}});
+}
+
+Program::Origin Program::origin(const Value& value) const {
+  if (value.origin < spans.size()) return {spans[value.origin], {}};
+  return {};
+}
+
+}  // namespace mansard

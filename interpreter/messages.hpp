@@ -1,0 +1,25 @@
+// Small phrases that messages are made of.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geometry/vector.hpp"
+#include "grammar/diagnostic.hpp"
+#include "interpreter/program.hpp"
+
+namespace mansard {
+
+/// "1 argument", "3 arguments".
+std::string count_text(std::size_t n, std::string_view noun);
+/// Shortest form, at most 6 significant digits.
+std::string number_text(double value);
+/// "10 x 3 x 0 m".
+std::string size_text(Vec3 size);
+/// What is wrong with the types of the operands a and b of an infix operator, if anything.
+std::optional<Diagnostic> operand_error(const Program& program, const ExprNode& node, Type left,
+                                        Type right, ExprId a, ExprId b);
+Diagnostic size_count_error(const Call& call, std::size_t sizes);
+
+}  // namespace mansard

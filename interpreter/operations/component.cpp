@@ -1,0 +1,104 @@
+// comp: the faces, edges and vertices of a shape.
+#include "interpreter/component.hpp"
+
+#include <algorithm>
+
+#include "interpreter/operations/functions.hpp"
+#include "interpreter/selectors.hpp"
+
+namespace mansard {
+namespace {
+
+/// Does the part's label choose component number i?
+bool label_selects(const CallPart& part, double number, const Shape& face, const Shape& parent,
+                   std::size_t i) {
+  if (part.name != none) return selects(*selector_of(part.name), face, parent);
+  return number == static_cast<double>(i);
+}
+
+struct Choice {
+  std::size_t part;
+  uint32_t count = 0;  ///< components that came to it
+};
+
+/// Gives each face to the first part that selects it.
+void distribute(Context& c, std::size_t first, std::optional<Selector> single) {
+  auto& faces = c.machine.scratch_shapes;
+  const std::size_t n = faces.size() - first;
+  std::vector<double> numbers(c.call.parts.size(), -1);
+  for (std::size_t p = 0; p < numbers.size(); ++p) {
+    if (c.call.parts[p].labelled && c.call.parts[p].name == none) {
+      numbers[p] = c.machine.number(c.call.parts[p].size.value, c.env);
+    }
+  }
+  std::vector<uint32_t> counts(c.call.parts.size(), 0), chosen(n, none);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t p = 0; p < counts.size() && chosen[i] == none; ++p) {
+      const bool yes =
+          single ? selects(*single, faces[first + i], c.shape)
+                 : label_selects(c.call.parts[p], numbers[p], faces[first + i], c.shape, i);
+      if (!yes) continue;
+      chosen[i] = static_cast<uint32_t>(p);
+      faces[first + i].comp_index = counts[p]++;
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (chosen[i] == none) continue;
+    Shape piece = faces[first + i];
+    piece.comp_count = counts[chosen[i]];
+    piece.comp_name = single ? static_cast<uint32_t>(*single) + 1 : c.call.parts[chosen[i]].name;
+    piece.index = c.shape.index;
+    c.go_on(c.call.parts[chosen[i]], piece.comp_index, piece);
+  }
+  faces.resize(first);
+}
+
+bool is_line_selector(const CallPart& part, Selector which) {
+  return part.name != none && selector_of(part.name) == which;
+}
+
+/// edges and vertices: every one of them, in order.
+void lines(Context& c, Selector which, const CallPart& part) {
+  auto& out = c.machine.scratch_shapes;
+  const std::size_t first = out.size();
+  which == Selector::edges ? push_edges(c.machine, c.shape) : push_vertices(c.machine, c.shape);
+  const std::size_t end = out.size();
+  for (std::size_t i = first; i < end; ++i) {
+    Shape piece = out[i];
+    piece.comp_index = static_cast<uint32_t>(i - first);
+    piece.comp_count = static_cast<uint32_t>(end - first);
+    piece.comp_name = static_cast<uint32_t>(which) + 1;
+    c.go_on(part, i - first, piece);
+  }
+  out.resize(first);
+}
+
+}  // namespace
+
+namespace operation {
+
+void comp(Context& c, std::optional<Edges> selector) {
+  std::optional<Selector> single;
+  if (selector) {
+    const Value& v = selector->value;
+    if (v.type != Type::string) c.wrong_type(0, v, "a selector like \"facades\"");
+    single = find_selector(v.string());
+    if (!single) {
+      const auto meant = nearest(v.string(), selector_words);
+      c.fail(0, "\"" + std::string(v.string()) + "\" selects no components",
+             meant ? "did you mean \"" + std::string(*meant) + "\"?" : "");
+    }
+  }
+  for (const Selector which : {Selector::edges, Selector::vertices}) {
+    if (single == which) return lines(c, which, c.call.parts[0]);
+    for (const CallPart& part : c.call.parts) {
+      if (is_line_selector(part, which)) lines(c, which, part);
+    }
+  }
+  const std::size_t first = c.machine.scratch_shapes.size();
+  push_faces(c.machine, c.shape);
+  distribute(c, first, single);
+}
+
+}  // namespace operation
+}  // namespace mansard

@@ -1,0 +1,76 @@
+// Labels, settings, and what a script says while it runs.
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/messages.hpp"
+#include "interpreter/operations/functions.hpp"
+
+namespace mansard {
+namespace {
+
+std::string text_of(const Program& program, const Value& value) {
+  switch (value.type) {
+    case Type::number:
+      return number_text(value.number);
+    case Type::boolean:
+      return value.boolean ? "true" : "false";
+    case Type::string:
+      return std::string(value.string());
+    case Type::symbol:
+      return std::string(program.symbols[value.symbol]);
+    case Type::list:
+      break;
+  }
+  std::string text = "[";
+  for (const Value& item : value.list())
+    text += (text.size() > 1 ? ", " : "") + text_of(program, item);
+  return text + "]";
+}
+
+}  // namespace
+
+namespace operation {
+
+void label(Context& c, std::string_view name) {
+  const auto known = c.machine.program.symbols.find(name);
+  c.shape.label = known.value_or(Shape::none);
+}
+
+/// The value holds for this shape and its descendants.
+void set(Context& c, Setting, Value value) {
+  const Value kept =
+      value.type == Type::list
+          ? Value::of(std::span<const Value>(c.machine.keep(value.list()), value.size))
+                .from(value.origin)
+          : value;
+  c.machine.settings.push_back({c.call.setting, c.shape.settings, kept});
+  c.shape.settings = static_cast<uint32_t>(c.machine.settings.size() - 1);
+}
+
+void report(Context& c, std::string_view key, Value value) {
+  ReportEntry& entry = c.machine.building->report[std::string(key)];
+  ++entry.count;
+  if (value.type != Type::number) {
+    ++entry.strings[text_of(c.machine.program, value)];
+    return;
+  }
+  if (!std::isfinite(value.number)) c.fail(1, "this is not a finite number");
+  entry.sum += value.number;
+  entry.least = entry.count == 1 ? value.number : std::min(entry.least, value.number);
+  entry.most = entry.count == 1 ? value.number : std::max(entry.most, value.number);
+}
+
+void print(Context& c, Values values) {
+  std::string line;
+  for (std::size_t i = values.first; i < c.call.args.size(); ++i) {
+    line += (line.empty() ? "" : " ") + text_of(c.machine.program, c.value(i));
+  }
+  c.machine.building->printed.push_back(std::move(line));
+}
+
+void fail(Context& c, std::string_view message) {
+  c.machine.fail(c.call.at, "the style says: " + std::string(message));
+}
+
+}  // namespace operation
+}  // namespace mansard

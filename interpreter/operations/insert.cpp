@@ -1,0 +1,105 @@
+// Meshes and solids that fill the scope.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/solids.hpp"
+#include "interpreter/messages.hpp"
+#include "interpreter/operations/functions.hpp"
+#include "styles/library.hpp"
+
+namespace mansard {
+namespace {
+
+void become_solid(Context& c, Mesh&& mesh) {
+  c.shape.geometry = c.machine.add_mesh(std::move(mesh));
+  c.shape.form = Form::mesh;
+  c.shape.ground = false;
+  c.shape.uv_frame = Shape::none;
+  c.become(c.shape);
+}
+
+int sides_or(Context& c, std::optional<double> sides, int fallback) {
+  if (!sides) return fallback;
+  if (*sides < 3 || *sides > 1000) {
+    c.fail(0, "a round solid has 3 to 1000 sides, not " + number_text(*sides));
+  }
+  return static_cast<int>(std::lround(*sides));
+}
+
+void need_size(Context& c) {
+  const Vec3 s = c.shape.scope.size;
+  if (s.x > 0 && s.y > 0 && s.z > 0) return;
+  c.machine.fail(c.call.at, "a scope of " + size_text(s) + " holds no solid",
+                 "give it a size first: s(1, 1, 1)");
+}
+
+}  // namespace
+
+namespace operation {
+
+void insert(Context& c, std::string_view path, std::optional<std::string_view> fit) {
+  const std::string_view mode = fit.value_or("fit");
+  if (mode != "fit" && mode != "keep" && mode != "keep_ratio") {
+    c.fail(1, "\"" + std::string(mode) + "\" is no way to fit a mesh",
+           "\"fit\", \"keep\" or \"keep_ratio\"");
+  }
+  std::string full(path), problem;
+  const std::string folder = Library::folder_of(c.call.at);
+  if (!path.starts_with('/') && !folder.empty()) full = folder + "/" + full;
+  const Mesh* const mesh = c.machine.mesh_source.mesh(full, problem);
+  if (!mesh) c.fail(0, "mesh \"" + std::string(path) + "\" can not be read: " + problem);
+  Shape& shape = c.shape;
+  shape.geometry = c.machine.borrow_mesh(*mesh);
+  shape.form = Form::mesh;
+  shape.ground = false;
+  shape.uv_frame = Shape::none;
+  const Vec3 natural = c.machine.mesh_of(shape).natural;
+  Vec3& size = shape.scope.size;
+  if (mode == "keep") size = natural;
+  if (mode == "keep_ratio") {
+    double scale = 1e300;
+    if (size.x > 0 && natural.x > 0) scale = std::min(scale, size.x / natural.x);
+    if (size.y > 0 && natural.y > 0) scale = std::min(scale, size.y / natural.y);
+    if (size.z > 0 && natural.z > 0) scale = std::min(scale, size.z / natural.z);
+    if (scale < 1e300) size = natural * scale;
+  }
+  if (size.x <= 0) size.x = natural.x;
+  if (size.y <= 0) size.y = natural.y;
+  if (size.z <= 0) size.z = natural.z;
+  c.become(shape);
+}
+
+void box(Context& c) {
+  need_size(c);
+  c.shape.form = Form::box;
+  c.shape.geometry = Shape::none;
+  c.shape.ground = false;
+  c.shape.cuts = c.shape.open = 0;
+  c.become(c.shape);
+}
+
+void quad(Context& c) {
+  c.shape.form = Form::rectangle;
+  c.shape.geometry = Shape::none;
+  c.shape.ground = false;
+  c.shape.scope.size.z = 0;
+  c.become(c.shape);
+}
+
+void cylinder(Context& c, std::optional<double> sides) {
+  need_size(c);
+  become_solid(c, mansard::cylinder(c.shape.scope.size, sides_or(c, sides, 24)));
+}
+
+void sphere(Context& c, std::optional<double> sides) {
+  need_size(c);
+  become_solid(c, mansard::sphere(c.shape.scope.size, sides_or(c, sides, 24)));
+}
+
+void cone(Context& c, std::optional<double> sides) {
+  need_size(c);
+  become_solid(c, mansard::cone(c.shape.scope.size, sides_or(c, sides, 24)));
+}
+
+}  // namespace operation
+}  // namespace mansard

@@ -1,0 +1,363 @@
+// subdiv, repeat and split (Müller et al. 2006 §3.2).
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/clip.hpp"
+#include "interpreter/component.hpp"
+#include "interpreter/messages.hpp"
+#include "interpreter/operations/functions.hpp"
+#include "interpreter/slice.hpp"
+
+namespace mansard {
+namespace {
+
+constexpr double touch = 1e-9;  ///< metres; less is no part
+constexpr std::size_t most_parts = 100'000;
+
+/// Along what a split runs: an axis of the scope, or a direction in the face's plane.
+struct Direction {
+  Axis axis = Axis::x;
+  bool diagonal = false;
+  Vec2 along;       ///< unit, diagonal only
+  double from = 0;  ///< where the shape begins along the diagonal
+  double whole = 0;
+  Polygon outline;  ///< diagonal only
+};
+
+Polygon outline_of(Context& c) {
+  if (c.shape.form == Form::rectangle) {
+    return rectangle(c.shape.scope.size.x, c.shape.scope.size.y);
+  }
+  if (c.shape.form != Form::polygon) c.fail(0, "only a flat shape can be split along an angle");
+  const PooledPolygon& pooled = c.machine.polygon_of(c.shape);
+  const PlaneMap map(c.shape, pooled.natural);
+  Polygon outline = pooled.polygon;
+  for (Vec2& p : outline.points) p = map.scaled(p);
+  return outline;
+}
+
+Direction direction_of(Context& c, const Value& axis) {
+  Direction d;
+  if (axis.type == Type::number) {
+    d.diagonal = true;
+    const double angle = axis.number * 3.14159265358979323846 / 180;
+    d.along = {std::cos(angle), std::sin(angle)};
+    d.outline = outline_of(c);
+    double low = 1e300, high = -1e300;
+    for (const Vec2 p : d.outline.points) {
+      low = std::min(low, dot(p, d.along));
+      high = std::max(high, dot(p, d.along));
+    }
+    d.from = low;
+    d.whole = high - low;
+    return d;
+  }
+  if (axis.type != Type::string) c.wrong_type(0, axis, "\"X\", \"Y\", \"Z\" or an angle");
+  const std::string_view word = axis.string();
+  const char letter = word.size() == 1 ? static_cast<char>(word[0] & ~0x20) : '\0';
+  if (letter < 'X' || letter > 'Z') {
+    c.fail(0, "\"" + std::string(word) + "\" is not an axis",
+           "write \"X\", \"Y\", \"Z\" or an angle");
+  }
+  d.axis = static_cast<Axis>(letter - 'X');
+  d.whole = along(c.shape.scope.size, d.axis);
+  if (d.whole < touch) {
+    c.fail(
+        0,
+        "a shape of " + size_text(c.shape.scope.size) + " has no extent along " + letter +
+            " to split",
+        letter == 'Z' ? "a face lies in X and Y: its depth is 0" : "split it along another axis");
+  }
+  return d;
+}
+
+void mark(Shape& piece, const Direction& d, std::size_t i, std::size_t n, std::size_t round) {
+  piece.split_index = static_cast<uint32_t>(i);
+  piece.split_count = static_cast<uint32_t>(n);
+  piece.split_round = static_cast<uint32_t>(round);
+  if (!d.diagonal && d.axis == Axis::y) piece.level = static_cast<uint32_t>(i);
+}
+
+template <class F>
+void cut_slice(Context& c, const Direction& d, double low, double high, F f) {
+  if (!d.diagonal) return for_each_slice(c.machine, c.shape, d.axis, low, high, f);
+  for (const Polygon& upto : clip(d.outline, d.along, d.from + high)) {
+    for (Polygon& part : clip(upto, d.along * -1, -(d.from + low))) {
+      Shape piece = c.shape;
+      piece.form = Form::polygon;
+      c.machine.adopt(piece, std::move(part));
+      f(piece);
+    }
+  }
+}
+
+/// What is wrong with the value of a size, if anything.
+void check_size(Machine& machine, ExprId at, const Value& v, syntax::SizeKind kind) {
+  if (v.type != Type::number) {
+    machine.fail(machine.program.spans[at],
+                 "a size is a number or a list of numbers, not " + std::string(described(v.type)));
+  }
+  if (!std::isfinite(v.number))
+    machine.fail(machine.program.spans[at], "this size is not a finite number");
+  if (v.number < 0) {
+    Diagnostic d;
+    d.at = machine.program.spans[at];
+    d.text = "a size can not be negative: '" + std::string(d.at.text()) + "' is " +
+             number_text(v.number);
+    if (const Span written = machine.program.origin(v).at; written && !(written == d.at)) {
+      d.notes.push_back({"it was written here", written});
+    }
+    d.help = "max(0, ...) keeps it from falling below 0";
+    throw Failure(std::move(d));
+  }
+  (void)kind;
+}
+
+void read_size(Machine& machine, const SizeExpr& size, const Env& env,
+               std::vector<SizeValue>& out) {
+  const Value v = machine.evaluate(size.value, env);
+  if (v.type == Type::list) {
+    for (const Value& item : v.list()) {
+      check_size(machine, size.value, item, size.kind);
+      out.push_back({size.kind, item.number});
+    }
+    return;
+  }
+  check_size(machine, size.value, v, size.kind);
+  out.push_back({size.kind, v.number});
+}
+
+void report_leftover(Context& c, double left, double whole) {
+  if (left > 1e-6 * std::max(1.0, whole)) {
+    c.machine.warn(
+        "W013", c.call.args_at,
+        "the sizes leave " + number_text(left) + " m of " + number_text(whole) + " m empty",
+        "end with a share: 1r");
+  }
+}
+
+/// Runs from 0 over the lengths at scratch_sizes[first...]; make(i, low, high) for each part there
+/// is.
+template <class F>
+void lay_out(Context& c, std::size_t first, std::size_t n, double whole, F make) {
+  double at = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double size = c.machine.scratch_sizes[first + i];
+    const double high = std::min(at + size, whole);
+    if (size > touch && (at > whole - touch || at + size > whole + touch))
+      ++c.machine.building->parts_cut;
+    // The last part ends exactly where the scope does.
+    const double end =
+        i + 1 == n && std::abs(whole - high) < 1e-9 * std::max(1.0, whole) ? whole : high;
+    if (end - at > touch) make(i, at, end);
+    at = high;
+  }
+}
+
+}  // namespace
+
+namespace operation {
+
+void subdiv(Context& c, Value axis, Sizes sizes) {
+  const Direction d = direction_of(c, axis);
+  auto& values = c.machine.size_values;
+  values.clear();
+  for (std::size_t i = sizes.first; i < c.call.args.size(); ++i) {
+    read_size(c.machine, c.call.args[i], c.env, values);
+  }
+  const std::size_t n = values.size();
+  if (c.call.parts.size() != 1 && c.call.parts.size() != n) {
+    throw Failure(size_count_error(c.call, n));
+  }
+  auto& lengths = c.machine.scratch_sizes;
+  const std::size_t first = lengths.size();
+  report_leftover(c, solve_sizes(values, d.whole, lengths), d.whole);
+  lay_out(c, first, n, d.whole, [&](std::size_t i, double low, double high) {
+    cut_slice(c, d, low, high, [&](Shape& piece) {
+      mark(piece, d, i, n, 0);
+      c.part(i, piece);
+    });
+  });
+  lengths.resize(first);
+}
+
+void repeat(Context& c, Value axis, double size, std::optional<std::string_view> mode) {
+  const Direction d = direction_of(c, axis);
+  if (size <= 0) c.fail(1, "the size to repeat must be more than 0, it is " + number_text(size));
+  const double exact = d.whole / size;
+  double count = 0;
+  if (!mode || *mode == "nearest") {
+    count = std::round(exact);
+  } else if (*mode == "fit") {
+    count = std::floor(exact + 1e-9);
+  } else if (*mode == "ceil") {
+    count = std::ceil(exact - 1e-9);
+  } else {
+    c.fail(2, "\"" + std::string(*mode) + "\" is no way to repeat",
+           "\"nearest\", \"fit\" or \"ceil\"");
+  }
+  count = std::max(1.0, count);
+  if (count > most_parts) {
+    c.fail(1, "this makes " + number_text(count) + " parts of " + number_text(size) + " m");
+  }
+  const auto n = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double low = d.whole * (static_cast<double>(i) / count);
+    const double high = i + 1 == n ? d.whole : d.whole * (static_cast<double>(i + 1) / count);
+    cut_slice(c, d, low, high, [&](Shape& piece) {
+      mark(piece, d, i, n, i);
+      c.part(i, piece);
+    });
+  }
+}
+
+}  // namespace operation
+
+namespace {
+
+/// A pattern laid out: its parts one after the other, with the round of their group.
+struct Pattern {
+  std::vector<SizeValue> sizes;
+  std::vector<const CallPart*> parts;
+  std::vector<std::size_t> rounds;
+
+  void add(const CallPart& part, SizeValue size, std::size_t round) {
+    sizes.push_back(size);
+    parts.push_back(&part);
+    rounds.push_back(round);
+  }
+};
+
+SizeValue label_size(Context& c, const CallPart& part) {
+  std::vector<SizeValue> values;
+  read_size(c.machine, part.size, c.env, values);
+  if (values.size() != 1) c.machine.fail(part.at, "a part of 'split' has one size");
+  return values[0];
+}
+
+/// Metres that a list of parts wants: fixed sizes and floats, groups once.
+double natural_length(Context& c, const std::vector<CallPart>& parts, double whole) {
+  double sum = 0;
+  for (const CallPart& part : parts) {
+    if (!part.group.empty()) {
+      sum += natural_length(c, part.group, whole);
+      continue;
+    }
+    const SizeValue v = label_size(c, part);
+    if (v.kind == syntax::SizeKind::percent) sum += v.value / 100 * whole;
+    if (v.kind == syntax::SizeKind::absolute || v.kind == syntax::SizeKind::floating)
+      sum += v.value;
+  }
+  return sum;
+}
+
+/// Lays parts out in `room` metres; the groups among them share what the others leave.
+void unroll(Context& c, const std::vector<CallPart>& parts, double room, std::size_t round,
+            Pattern& out) {
+  double single = 0, grouped = 0;
+  for (const CallPart& part : parts) {
+    if (part.group.empty()) {
+      const SizeValue v = label_size(c, part);
+      if (v.kind == syntax::SizeKind::percent) single += v.value / 100 * room;
+      if (v.kind == syntax::SizeKind::absolute || v.kind == syntax::SizeKind::floating)
+        single += v.value;
+    } else {
+      grouped += natural_length(c, part.group, room);
+    }
+  }
+  for (const CallPart& part : parts) {
+    if (part.group.empty()) {
+      out.add(part, label_size(c, part), round);
+      continue;
+    }
+    if (grouped <= 0) c.machine.fail(part.at, "a repeated group needs a size that is not a share");
+    const double times = std::max(0.0, std::round((room - single) / grouped));
+    if (times > most_parts)
+      c.machine.fail(part.at, "this repeats " + number_text(times) + " times");
+    for (std::size_t i = 0; i < static_cast<std::size_t>(times); ++i) {
+      unroll(c, part.group, natural_length(c, part.group, room), i, out);
+    }
+  }
+}
+
+}  // namespace
+
+namespace operation {
+
+/// CGA's full pattern: groups repeat round(room / natural length) times and their floats stretch.
+void split(Context& c, Value axis) {
+  const Direction d = direction_of(c, axis);
+  Pattern pattern;
+  if (c.call.starred) {
+    const double natural = natural_length(c, c.call.parts, d.whole);
+    if (natural <= 0)
+      c.machine.fail(c.call.parts_at, "a repeated split needs a size that is not a share");
+    const double times = std::max(1.0, std::round(d.whole / natural));
+    if (times > most_parts)
+      c.machine.fail(c.call.parts_at, "this repeats " + number_text(times) + " times");
+    for (std::size_t i = 0; i < static_cast<std::size_t>(times); ++i) {
+      unroll(c, c.call.parts, natural, i, pattern);
+    }
+  } else {
+    unroll(c, c.call.parts, d.whole, 0, pattern);
+  }
+  auto& lengths = c.machine.scratch_sizes;
+  const std::size_t first = lengths.size(), n = pattern.sizes.size();
+  report_leftover(c, solve_sizes(pattern.sizes, d.whole, lengths), d.whole);
+  lay_out(c, first, n, d.whole, [&](std::size_t i, double low, double high) {
+    cut_slice(c, d, low, high, [&](Shape& piece) {
+      mark(piece, d, i, n, pattern.rounds[i]);
+      c.go_on(*pattern.parts[i], i, piece);
+    });
+  });
+  lengths.resize(first);
+}
+
+}  // namespace operation
+
+namespace {
+
+double fixed_length(Machine& machine, const SizeExpr& size, const Env& env, double whole) {
+  if (size.kind != syntax::SizeKind::absolute && size.kind != syntax::SizeKind::percent) return 0;
+  std::vector<SizeValue>& values = machine.size_values;
+  values.clear();
+  read_size(machine, size, env, values);
+  double sum = 0;
+  for (const SizeValue& v : values) {
+    sum += size.kind == syntax::SizeKind::percent ? v.value / 100 * whole : v.value;
+  }
+  return sum;
+}
+
+double fixed_length(Machine& machine, const std::vector<CallPart>& parts, const Env& env,
+                    double whole) {
+  double sum = 0;
+  for (const CallPart& part : parts) {
+    if (part.group.empty()) sum += fixed_length(machine, part.size, env, whole);
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// No fixed size of the successor's first split would be cut.
+bool Machine::fits(uint32_t number, const Env& env) {
+  const Call& call = program.calls[number];
+  Shape shape = *env.shape;
+  Context c(*this, call, shape, env);
+  const Value axis = c.value(0);
+  const bool named = axis.type == Type::string && axis.size == 1;
+  const double whole =
+      named ? along(shape.scope.size, static_cast<Axis>((axis.text[0] & ~0x20) - 'X')) : 1e300;
+  double fixed = fixed_length(
+      *this, call.parts.empty() || !call.parts[0].labelled ? std::vector<CallPart>{} : call.parts,
+      env, whole);
+  for (std::size_t i = 1; i < call.args.size(); ++i) {
+    if (call.args[i].value != none && !(call.operation->parameters[i].optional)) {
+      fixed += fixed_length(*this, call.args[i], env, whole);
+    }
+  }
+  return fixed <= whole + touch;
+}
+
+}  // namespace mansard

@@ -1,0 +1,140 @@
+#include "interpreter/selectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/messages.hpp"
+
+namespace mansard {
+
+std::optional<Selector> find_selector(std::string_view word) {
+  const auto it = std::ranges::find(selector_words, word);
+  if (it == selector_words.end()) return std::nullopt;
+  return static_cast<Selector>(it - selector_words.begin());
+}
+
+bool is_later_selector(std::string_view word) {
+  constexpr std::array<std::string_view, 6> later{"corner", "eave",   "ridge",
+                                                  "hip",    "valley", "rake"};
+  return std::ranges::find(later, word) != later.end();
+}
+
+namespace {
+
+/// Which of the four sides a direction belongs to; quarters, so that every wall has one.
+bool faces_towards(Selector selector, double x, double z) {
+  switch (selector) {
+    case Selector::front:
+      return z > 0 && z >= std::abs(x);
+    case Selector::back:
+      return z < 0 && -z >= std::abs(x);
+    case Selector::right:
+      return x > 0 && x > std::abs(z);
+    default:
+      return x < 0 && -x > std::abs(z);
+  }
+}
+
+}  // namespace
+
+bool selects(Selector selector, const Shape& face, const Shape& parent) {
+  const Vec3 normal = face.scope.z;
+  constexpr double steep = 0.7;      // 45 degrees part sides from tops
+  constexpr double exact = 0.99999;  // a quarter of a degree
+  switch (selector) {
+    case Selector::faces:
+    case Selector::all:
+      return true;
+    case Selector::side:
+    case Selector::facades:
+    case Selector::sidefaces:
+      return std::abs(normal.y) <= steep;
+    case Selector::top:
+      return normal.y > steep;
+    case Selector::bottom:
+      return normal.y < -steep;
+    case Selector::front:
+    case Selector::back:
+    case Selector::left:
+    case Selector::right:
+      return std::abs(normal.y) <= steep &&
+             faces_towards(selector, dot(normal, parent.scope.x), dot(normal, parent.scope.z));
+    case Selector::vertical:
+      return std::abs(normal.y) < 1 - exact + 0.004;
+    case Selector::horizontal:
+      return std::abs(normal.y) > exact;
+    case Selector::slanted:
+      return std::abs(normal.y) >= 1 - exact + 0.004 && std::abs(normal.y) <= exact;
+    case Selector::main:
+      return face.tag.has(EdgeTag::main);
+    case Selector::street:
+      return face.tag.has(EdgeTag::street);
+    case Selector::party:
+      return face.tag.has(EdgeTag::party);
+    case Selector::court:
+      return face.tag.has(EdgeTag::court);
+    case Selector::cut:
+      return face.tag.has(EdgeTag::cut);
+    case Selector::edges:
+    case Selector::vertices:
+      return false;
+  }
+  return false;
+}
+
+bool selects_edge(Selector selector, EdgeTag tag, Vec2 normal) {
+  switch (selector) {
+    case Selector::main:
+      return tag.has(EdgeTag::main);
+    case Selector::street:
+      return tag.has(EdgeTag::street);
+    case Selector::party:
+      return tag.has(EdgeTag::party);
+    case Selector::court:
+      return tag.has(EdgeTag::court);
+    case Selector::cut:
+      return tag.has(EdgeTag::cut);
+    case Selector::front:
+    case Selector::back:
+    case Selector::left:
+    case Selector::right:
+      return faces_towards(selector, normal.x, -normal.y);
+    case Selector::bottom:
+      return faces_towards(Selector::front, normal.x, -normal.y);
+    case Selector::top:
+      return faces_towards(Selector::back, normal.x, -normal.y);
+    default:
+      return true;
+  }
+}
+
+std::vector<bool> chosen_edges(Context& context, std::size_t argument, const Edges& edges,
+                               const Polygon& polygon) {
+  std::vector<bool> chosen(polygon.points.size(), false);
+  const Value& value = edges.value;
+  const std::span<const Value> items =
+      value.type == Type::list ? value.list() : std::span<const Value>(&value, 1);
+  for (const Value& item : items) {
+    if (item.type == Type::number) {
+      if (item.number >= 0 && item.number < static_cast<double>(chosen.size())) {
+        chosen[static_cast<std::size_t>(item.number)] = true;
+      }
+      continue;
+    }
+    const auto selector = item.type == Type::string ? find_selector(item.string()) : std::nullopt;
+    if (!selector) {
+      const auto word = item.type == Type::string ? std::string(item.string()) : "this";
+      const auto meant = nearest(word, selector_words);
+      context.fail(argument, "'" + word + "' chooses no edges",
+                   meant ? "did you mean \"" + std::string(*meant) + "\"?"
+                         : "words like \"street\", \"party\", \"front\", or the number of an edge");
+    }
+    for_each_edge(polygon, [&](uint32_t i, Vec2 from, Vec2 to) {
+      const Vec2 out = left_of(normalized(to - from)) * -1;
+      if (selects_edge(*selector, polygon.tags[i], out)) chosen[i] = true;
+    });
+  }
+  return chosen;
+}
+
+}  // namespace mansard

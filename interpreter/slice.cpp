@@ -1,0 +1,61 @@
+#include "interpreter/slice.hpp"
+
+#include "geometry/clip.hpp"
+#include "interpreter/component.hpp"
+
+namespace mansard {
+namespace {
+
+std::vector<Shape> polygon_slabs(Machine& machine, const Shape& shape, Axis axis, double low,
+                                 double high) {
+  const PooledPolygon& pooled = machine.polygon_of(shape);
+  const PlaneMap map(shape, pooled.natural);
+  Polygon scaled = pooled.polygon;
+  for (Vec2& p : scaled.points) p = map.scaled(p);
+  if (axis == Axis::z) {  // on the ground v runs against z
+    const double depth = shape.scope.size.z;
+    std::swap(low, high);
+    low = depth - low;
+    high = depth - high;
+  }
+  std::vector<Shape> pieces;
+  for (Polygon& part : clip_strip(scaled, axis == Axis::x ? 0 : 1, low, high)) {
+    Shape piece = shape;
+    machine.adopt(piece, std::move(part));
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+std::vector<Shape> mesh_slabs(Machine& machine, const Shape& shape, Axis axis, double low,
+                              double high) {
+  const PooledMesh& pooled = machine.mesh_of(shape);
+  Mesh scaled = pooled.mesh();
+  const auto stretch = [](double size, double natural) { return natural > 0 ? size / natural : 1; };
+  const Vec3 scale{stretch(shape.scope.size.x, pooled.natural.x),
+                   stretch(shape.scope.size.y, pooled.natural.y),
+                   stretch(shape.scope.size.z, pooled.natural.z)};
+  for (Vec3& p : scaled.points) {
+    p = p - pooled.low;
+    p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
+  }
+  Vec3 direction;
+  along(direction, axis) = 1;
+  Mesh part = clip(clip(scaled, direction, high), -direction, -low);
+  if (part.faces.empty()) return {};
+  Shape piece = shape;
+  const Box3 box = bounds(part.points);
+  piece.scope.origin = shape.scope.at(box.low);
+  piece.scope.size = box.size();
+  piece.geometry = machine.add_mesh(std::move(part));
+  return {piece};
+}
+
+}  // namespace
+
+std::vector<Shape> slabs(Machine& machine, const Shape& shape, Axis axis, double low, double high) {
+  if (shape.form == Form::mesh) return mesh_slabs(machine, shape, axis, low, high);
+  return polygon_slabs(machine, shape, axis, low, high);
+}
+
+}  // namespace mansard

@@ -1,0 +1,75 @@
+// Cutting a shape into slabs along an axis of its scope.
+#pragma once
+
+#include <vector>
+
+#include "interpreter/machine.hpp"
+
+namespace mansard {
+
+enum class Axis : uint8_t { x, y, z };
+
+inline double& along(Vec3& v, Axis axis) {
+  return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
+}
+inline double along(const Vec3& v, Axis axis) {
+  return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
+}
+
+/// Calls f(piece) for each piece of the shape between low and high metres along the axis: one for
+/// rectangles and boxes, maybe several for concave polygons. Sides that the cut makes are marked.
+template <class F>
+void for_each_slice(Machine& machine, const Shape& shape, Axis axis, double low, double high, F f);
+
+/// True for forms that the scope alone describes along this axis, so that slicing moves numbers
+/// only.
+inline bool slices_by_scope(const Shape& shape, Axis axis) {
+  switch (shape.form) {
+    case Form::polygon:
+      return false;
+    case Form::prism:
+      return axis == (shape.ground ? Axis::y : Axis::z);
+    case Form::mesh:
+      return false;
+    default:
+      return true;
+  }
+}
+
+/// The slab of a shape that slices by its scope.
+inline Shape slab(const Shape& shape, Axis axis, double low, double high) {
+  constexpr double touch = 1e-9;
+  Shape piece = shape;
+  const Vec3 direction = axis == Axis::x   ? shape.scope.x
+                         : axis == Axis::y ? shape.scope.y
+                                           : shape.scope.z;
+  const double whole = along(shape.scope.size, axis);
+  piece.scope.origin = shape.scope.origin + direction * low;
+  along(piece.scope.size, axis) = high - low;
+  const uint8_t low_side = axis == Axis::x ? side_left : axis == Axis::y ? side_bottom : side_back;
+  const uint8_t high_side = axis == Axis::x ? side_right : axis == Axis::y ? side_top : side_front;
+  if (low > touch) {
+    piece.cuts |= low_side;
+    piece.open &= static_cast<uint8_t>(~low_side);
+  }
+  if (high < whole - touch) {
+    piece.cuts |= high_side;
+    piece.open &= static_cast<uint8_t>(~high_side);
+  }
+  return piece;
+}
+
+/// The slabs of any other shape.
+std::vector<Shape> slabs(Machine& machine, const Shape& shape, Axis axis, double low, double high);
+
+template <class F>
+void for_each_slice(Machine& machine, const Shape& shape, Axis axis, double low, double high, F f) {
+  if (slices_by_scope(shape, axis)) {
+    Shape piece = slab(shape, axis, low, high);
+    f(piece);
+  } else {
+    for (Shape& piece : slabs(machine, shape, axis, low, high)) f(piece);
+  }
+}
+
+}  // namespace mansard

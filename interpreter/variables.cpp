@@ -1,0 +1,126 @@
+// Where a value comes from: set() on the shape, the footprint's properties, the style.
+#include <cmath>
+
+#include "interpreter/machine.hpp"
+#include "interpreter/messages.hpp"
+#include "interpreter/units.hpp"
+
+namespace mansard {
+
+/// Strongest first: --set (compiled in as the value), set() on the shape or an ancestor, a property
+/// of the footprint, the style.
+Value Machine::variable(uint32_t slot, const Env& env, uint32_t node) {
+  const VariableSlot& v = program.variables[slot];
+  if (v.from_command_line) return evaluate(v.value, Env{env.shape, nullptr, 0, nullptr});
+  if (v.settable && env.shape) {
+    for (uint32_t i = env.shape->settings; i != none; i = settings[i].next) {
+      if (settings[i].setting == v.setting) return settings[i].value;
+    }
+  }
+  if (v.reads_shape && variable_property_[slot] == none) {
+    const uint64_t draws = env.shape ? stream_of(v.per, v.per_symbol, *env.shape, v.salt) : v.salt;
+    return evaluate(v.value, Env{env.shape, nullptr, draws, nullptr});
+  }
+  if (variable_known_[slot] != building_number_) {
+    const Value own =
+        evaluate(v.value, Env{env.shape, nullptr, mix(building_seed_, v.salt), nullptr});
+    const uint32_t name = variable_property_[slot];
+    variable_values_[slot] = name == none ? own : property(name, own, node);
+    variable_known_[slot] = building_number_;
+  }
+  return variable_values_[slot];
+}
+
+uint64_t Machine::stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
+                            uint64_t salt) const {
+  if (per == VariableSlot::Per::building) return mix(building_seed_, salt);
+  if (per == VariableSlot::Per::symbol) {
+    for (uint32_t n = shape.node; n < nodes_.size(); n = nodes_[n].parent) {
+      if (nodes_[n].symbol == symbol) return mix(nodes_[n].seed, salt);
+    }
+    return mix(building_seed_, salt);
+  }
+  return mix(shape.seed, salt);
+}
+
+/// The footprint's property as a value of the fallback's type; the fallback when there is none, or
+/// when it can not be read as that type (a warning).
+Value Machine::property(uint32_t slot, const Value& fallback, uint32_t node) {
+  if (property_known_[slot] != building_number_) return fallback;
+  const PropertyValue& value = *property_values_[slot];
+  const auto text = std::get_if<std::string>(&value);
+  const auto number = std::get_if<double>(&value);
+  const auto truth = std::get_if<bool>(&value);
+  switch (fallback.type) {
+    case Type::number:
+      if (number && std::isfinite(*number)) return Value::of(*number);
+      if (text) {
+        if (const auto read = read_number(*text)) return Value::of(*read);
+      }
+      break;
+    case Type::boolean:
+      if (truth) return Value::of(*truth);
+      if (number) return Value::of(*number != 0);
+      if (text && (*text == "yes" || *text == "true" || *text == "1")) return Value::of(true);
+      if (text && (*text == "no" || *text == "false" || *text == "0")) return Value::of(false);
+      break;
+    case Type::string:
+      if (text) return Value::of(std::string_view(*text));
+      if (number) return Value::of(keep(number_text(*number)));
+      return Value::of(std::string_view(*truth ? "yes" : "no"));
+    case Type::symbol:
+      if (text) {
+        if (const auto symbol = program.symbols.find(*text)) return Value::of_symbol(*symbol);
+      }
+      break;
+    case Type::list:
+      break;
+  }
+  warn("W012", program.spans[node],
+       "property '" + std::string(program.properties[slot]) + "' of footprint '" + footprint->id +
+           "'" + (text ? " is \"" + *text + "\"," : "") + " not " +
+           std::string(described(fallback.type)) + "; the default is used");
+  return fallback;
+}
+
+namespace {
+
+double number_or(const Footprint& footprint, std::string_view name, double fallback) {
+  const Property* p = footprint.find(name);
+  if (!p) return fallback;
+  if (const double* v = std::get_if<double>(&p->value)) return std::isfinite(*v) ? *v : fallback;
+  const std::string* text = std::get_if<std::string>(&p->value);
+  return text ? read_number(*text).value_or(fallback) : fallback;
+}
+
+std::string_view text_or(const Footprint& footprint, std::string_view name,
+                         std::string_view fallback) {
+  const Property* p = footprint.find(name);
+  const std::string* text = p ? std::get_if<std::string>(&p->value) : nullptr;
+  return text ? std::string_view(*text) : fallback;
+}
+
+}  // namespace
+
+/// BUILDING_HEIGHT is what stands above min_height, so that the top comes out at `height`.
+Value Machine::input(Input which) {
+  const double levels = number_or(*footprint, "building:levels", 0);
+  const double top = number_or(*footprint, "height", 0);
+  double height = top > base_elevation ? top - base_elevation : top;
+  if (!(height > 0)) height = levels > 0 ? levels * 3 : 9;
+  switch (which) {
+    case Input::height:
+      return Value::of(height);
+    case Input::levels:
+      return Value::of(levels > 0 ? levels : std::max(1.0, std::round(height / 3)));
+    case Input::name:
+      return Value::of(text_or(*footprint, "name", footprint->id));
+    case Input::use: {
+      const std::string_view use = text_or(*footprint, "use", "");
+      return Value::of(use.empty() ? text_or(*footprint, "building", "yes") : use);
+    }
+  }
+  return {};
+}
+
+}  // namespace mansard
