@@ -79,6 +79,7 @@ CleanedRings clean_rings(const RawPolygon& raw, bool closed) {
     Polygon polygon = to_polygon(piece);
     if (area(polygon) >= least_area) result.polygons.push_back(std::move(polygon));
   }
+  if (repaired.scribble) return {{}, {"crosses itself more than 1,000 times"}};
   if (result.polygons.empty()) return {{}, {"has no area"}};
   if (!repaired.was_valid) result.notes.emplace_back("self-crossing ring repaired");
   return result;

@@ -15,6 +15,8 @@ using Ring = std::vector<Vec2>;
 using Rings = std::vector<Ring>;
 
 constexpr double least_piece = 1e-2;  ///< square metres: repairs may break off crumbs
+/// Beyond these a ring is a scribble, and GEOS takes seconds and gigabytes for what it encloses.
+constexpr std::size_t most_crossings = 1000, most_tests = 50'000'000;
 
 // GEOS, with every handle owned.
 
@@ -88,13 +90,50 @@ void start_at(Ring& ring, Vec2 first, Vec2 second) {
   if (start != ring.end()) std::rotate(ring.begin(), start, ring.end());
 }
 
+struct Edge {
+  Vec2 a, b;
+  double left, right;
+};
+
+bool cross_each_other(const Edge& e, const Edge& f) {
+  if (std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y)) return false;
+  if (std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y)) return false;
+  const auto divides = [](const Edge& by, const Edge& other) {
+    const Vec2 along = by.b - by.a;
+    return cross(along, other.a - by.a) * cross(along, other.b - by.a) < 0;
+  };
+  return divides(e, f) && divides(f, e);
+}
+
+/// Sweeps from left to right and gives up as soon as it is clear.
+bool is_scribble(const Rings& rings) {
+  std::vector<Edge> edges;
+  for (const Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      edges.push_back({a, b, std::min(a.x, b.x), std::max(a.x, b.x)});
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& e, const Edge& f) { return e.left < f.left; });
+  std::size_t crossings = 0, tests = 0;
+  for (auto e = edges.begin(); e != edges.end(); ++e) {
+    for (auto f = e + 1; f != edges.end() && f->left <= e->right; ++f) {
+      crossings += cross_each_other(*e, *f);
+      if (crossings > most_crossings || ++tests > most_tests) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 RepairedRings repair(const Rings& rings) {
   const Context geos;
   const Geometry geometry = to_geos(geos.handle, rings);
   if (!geometry) return {};
-  if (GEOSisValid_r(geos.handle, geometry.get()) == 1) return {true, {}};
+  if (GEOSisValid_r(geos.handle, geometry.get()) == 1) return {true, false, {}};
+  if (is_scribble(rings)) return {false, true, {}};
   GEOSMakeValidParams* how = GEOSMakeValidParams_create_r(geos.handle);
   GEOSMakeValidParams_setMethod_r(geos.handle, how, GEOS_MAKE_VALID_STRUCTURE);
   const Geometry valid(GEOSMakeValidWithParams_r(geos.handle, geometry.get(), how),

@@ -9,6 +9,7 @@ namespace mansard {
 
 struct RepairedRings {
   bool was_valid = false;  ///< nothing was to be done: `pieces` is empty
+  bool scribble = false;   ///< more than 1,000 crossings: nothing is done, `pieces` is empty
   /// Polygons (the outline, then its holes) without repeated points; the outline counter-clockwise,
   /// with the first edge first where it is still there.
   std::vector<std::vector<std::vector<Vec2>>> pieces;

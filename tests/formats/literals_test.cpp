@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cmath>
+#include <random>
 
 #include "formats/footprints.hpp"
 
@@ -164,4 +166,22 @@ TEST_CASE("attributes, selection and limit") {
   const FootprintSet broken = read_footprints("WKT:POLYGON((0 0,1 1,2 2,0 0))", {.limit = 1});
   CHECK(broken.footprints.empty());
   CHECK(broken.notes.size() == 1);
+}
+
+TEST_CASE("scribbles and very long rings do not keep anybody waiting") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0, 100);
+  std::string scribble = "WKT:POLYGON((0 0", comb = "WKT:POLYGON((0 -1";
+  for (int i = 0; i < 5000; ++i) {
+    scribble += ", " + std::to_string(any(random)) + " " + std::to_string(any(random));
+    comb += ", " + std::to_string(i) + " 0, " + std::to_string(i) + ".5 100";
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const FootprintSet broken = read_footprints(scribble + ", 0 0))", {});
+  CHECK(broken.footprints.empty());
+  CHECK(broken.notes.at(0).broken);
+  CHECK(broken.notes.at(0).text == "crosses itself more than 1,000 times");
+  const FootprintSet long_one = read_footprints(comb + ", 5000 -1, 0 -1))", {});
+  CHECK(long_one.footprints.size() == 1);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(2));
 }
