@@ -106,8 +106,9 @@ inline constexpr char opener =
 /// What is refused inside is not worth telling.
 template <class Rule>
 inline constexpr bool is_quiet =
-    is_any_of<Rule, named_start, not_head, value_here, not_block, other_label, end, style_start,
-              any_block, member_start, style_item_start, element_start, material_start>;
+    is_any_of<Rule, named_start, not_head, value_here, not_block, word_label, other_label, end,
+              style_start, any_block, member_start, style_item_start, element_start,
+              material_start>;
 template <class Rule>
 inline constexpr bool hushes = false;
 template <class... Rules>

@@ -74,6 +74,7 @@ constexpr std::array slips{
     Slip{"[", "'->'", "an index stands against its symbol: NAME[i]"},
     Slip{"[", "", "an index stands against its list or symbol: list[i]"},
     Slip{"r", "", "'r' stands against its number: 1r, (Share)r"},
+    Slip{"}", "'style' or 'import'", "this '}' closes nothing"},
     Slip{"|", "a symbol or an operation", "a part may not be empty: write NIL to leave nothing"},
     Slip{"}", "a symbol or an operation", "a part may not be empty: write NIL to leave nothing"},
     Slip{"]", "a symbol or an operation", "brackets may not be empty: write NIL to leave nothing"},
@@ -144,8 +145,7 @@ class Failing {
   // `vra X = 1`: the grammar takes `vra` for a symbol and stumbles at X.
   std::optional<Diagnostic> misspelt() const {
     const std::string_view word = member_word();
-    const bool second = !word.empty() && at_ > word.data() && blank(word.data() + word.size(), at_);
-    if (at_ == around_.member || second) {
+    if (at_ == around_.member || follows_member_word()) {
       if (const auto meant = nearest_keyword(word)) {
         return make(word, "there is no " + in_quotes(word) + " here",
                     "did you mean " + in_quotes(*meant) + "?");
@@ -210,9 +210,9 @@ class Failing {
     if (around_.found_is_head && place_.braces > braces_around) return true;
     const std::string close = in_quotes(std::string(1, closer(*place_.open)));
     if (std::find(wants_.begin(), wants_.end(), close) == wants_.end()) return false;
-    const bool closing = found_.empty() || found_ == "}" || found_ == "]" || found_ == ")";
-    const bool far = *place_.open != '{' && std::find(place_.open, at_, '\n') != at_;
-    return closing || around_.found_is_head || far;
+    if (found_.empty() || around_.found_is_head) return true;
+    const bool other_closes = found_ == "}" || found_ == "]" || found_ == ")";
+    return *place_.open != '{' && (other_closes || std::find(place_.open, at_, '\n') != at_);
   }
 
   /// Only space stands between the sign and the place.
@@ -238,6 +238,9 @@ class Failing {
     if (wants("a symbol or an operation") && before("[")) {
       return "an index stands against its symbol: NAME[1]; after a space, '[' saves the shape";
     }
+    if (found_ == "=" && follows_member_word()) {
+      return "a rule is written: NAME -> …, a variable: var NAME = value";
+    }
     for (const Slip& slip : slips) {
       if (slip.found == "→" ? found_.substr(0, 3) == slip.found : slip.found == found_) {
         if (wants(slip.want)) return std::string(slip.help);
@@ -247,6 +250,11 @@ class Failing {
       return "names are of ASCII letters, digits and '_'";
     }
     return {};
+  }
+
+  bool follows_member_word() const {
+    const std::string_view word = member_word();
+    return !word.empty() && at_ > word.data() && blank(word.data() + word.size(), at_);
   }
 
   // A keyword that was wanted and is like the word.

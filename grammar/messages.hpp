@@ -47,7 +47,7 @@ template <> inline constexpr Wording wording<plain_item>{"a rule, 'var' or 'def'
 template <> inline constexpr Wording wording<any_item>{"a rule, 'var', 'def', 'abstract'"};
 template <> inline constexpr Wording wording<shared_item>{"'var' or 'def'"};
 template <> inline constexpr Wording wording<any_member>{"a block, 'var', 'def', 'abstract', 'start'"};
-template <> inline constexpr Wording wording<entry_kind>{"':', '+' or '-'"};
+template <> inline constexpr Wording wording<entry_kind>{"':'"};
 template <> inline constexpr Wording wording<meshes>{"the file of a mesh in quotes"};
 template <> inline constexpr Wording wording<looks>{"a look like color(\"#a08070\")"};
 template <> inline constexpr Wording wording<element_item>{"an entry NAME : \"mesh.obj\""};

@@ -64,11 +64,10 @@ syntax::ExprPtr parse_expression(const Source& source, Diagnostics& diagnostics)
   if (!is_text(source, diagnostics)) return nullptr;
   Reading reading(source, diagnostics);
   Input in(source.text().data(), source.text().data() + source.text().size(), "");
-  if (tao::pegtl::parse<peg::only_expr, peg::action, peg::control>(in, reading)) {
-    return reading.tree.take_expr();
-  }
-  reading.report({reading.after_space(source.text().data())});
-  return nullptr;
+  const bool matched = tao::pegtl::parse<peg::only_expr, peg::action, peg::control>(in, reading);
+  if (!matched) reading.report({reading.after_space(source.text().data())});
+  reading.finish();
+  return matched && !diagnostics.has_errors() ? reading.tree.take_expr() : nullptr;
 }
 
 }  // namespace mansard

@@ -69,7 +69,8 @@ const char* Reading::after_comment(const char* at) {
 }
 
 const char* Reading::after_doc(const char* at) {
-  bool first = at == begin_ || at[-1] == '\n';
+  const bool file_begins = at == begin_ || (at == begin_ + 3 && *begin_ == '\xEF');  // byte order
+  bool first = file_begins || at[-1] == '\n';
   for (;;) {
     for (; at < end_ && is_space(*at); ++at) first = first || *at == '\n';
     if (end_ - at < 2 || *at != '/' || (at[1] != '/' && at[1] != '*')) return nullptr;

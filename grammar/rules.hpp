@@ -100,7 +100,7 @@ struct shared_item    : sor<variable, function> {};
 struct style_item     : sor<abstract_var, abstract_name, seq<many<modifier>, shared_item>, start> {};
 
 // ---- elements and materials
-struct entry_kind     : sor<colon, T<"+">, T<"-">> {};
+struct entry_kind     : sor<colon, T<"+">, seq<ws, minus>> {};
 struct weight         : seq<colon, expr> {};
 struct meshes         : seq<plus<text>, maybe<weight>> {};
 struct more_meshes    : seq<opt<bar>, meshes> {};
