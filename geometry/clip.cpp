@@ -61,15 +61,16 @@ Polygon split_edges(const Polygon& polygon, int axis, std::span<const double> cu
     const auto ring = polygon.ring(r);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const EdgeTag tag = polygon.tags[polygon.ring_begin(r) + i];
-      Vec2 from = snapped(ring[i]), to = snapped(ring[(i + 1) % ring.size()]);
-      result.add_point(from, tag);
+      Vec2 from = ring[i], to = ring[(i + 1) % ring.size()];
+      Vec2 start = snapped(from), end = snapped(to);
+      result.add_point(start, tag);
       const bool forwards = coordinate(from) < coordinate(to);
       for (std::size_t c = 0; c < cuts.size(); ++c) {
         const double at = cuts[forwards ? c : cuts.size() - 1 - c];
-        const double side_from = coordinate(from) - at, side_to = coordinate(to) - at;
-        if (side_from * side_to >= 0) continue;
+        if ((coordinate(start) - at) * (coordinate(end) - at) >= 0) continue;
         const Vec2 normal = axis == 0 ? Vec2{1, 0} : Vec2{0, 1};
-        result.add_point(crossing_point(from, side_from, to, side_to, normal, at), tag);
+        result.add_point(
+            crossing_point(from, coordinate(from) - at, to, coordinate(to) - at, normal, at), tag);
       }
     }
     result.close_ring();

@@ -14,6 +14,10 @@ namespace {
 
 /// Pieces thinner than this, in metres, are noise of rounding.
 constexpr double thinnest = 1e-9;
+/// Points this near are one, and points this near to a line are on it, in metres.
+constexpr double nearest = 1e-8;
+/// Cells of Precision::grid, in metres.
+constexpr double cell = 1e-9;
 /// How far a result's edge may lie from the edge that it came from, in metres.
 constexpr double on_source = 1e-7;
 
@@ -77,7 +81,8 @@ Geometry to_geometry(const Geos& geos, const Polygon& polygon) {
   }
   Geometry result(geos, GEOSGeom_createPolygon_r(geos.get(), rings[0], rings.data() + 1,
                                                  static_cast<unsigned>(rings.size() - 1)));
-  if (result.get() == nullptr || GEOSisValid_r(geos.get(), result.get()) == 1) return result;
+  if (result.get() == nullptr || is_convex(polygon)) return result;
+  if (GEOSisValid_r(geos.get(), result.get()) == 1) return result;
   GEOSMakeValidParams* params = GEOSMakeValidParams_create_r(geos.get());
   GEOSMakeValidParams_setMethod_r(geos.get(), params, GEOS_MAKE_VALID_STRUCTURE);
   result = {geos, GEOSMakeValidWithParams_r(geos.get(), result.get(), params)};
@@ -86,7 +91,7 @@ Geometry to_geometry(const Geos& geos, const Polygon& polygon) {
 }
 
 /// The union of all pieces.
-Geometry to_geometry(const Geos& geos, std::span<const Polygon> pieces) {
+Geometry to_geometry(const Geos& geos, std::span<const Polygon> pieces, Precision precision) {
   if (pieces.size() == 1) return to_geometry(geos, pieces[0]);
   std::vector<GEOSGeometry*> parts;
   for (const Polygon& piece : pieces) {
@@ -97,7 +102,8 @@ Geometry to_geometry(const Geos& geos, std::span<const Polygon> pieces) {
                      GEOSGeom_createCollection_r(geos.get(), GEOS_GEOMETRYCOLLECTION, parts.data(),
                                                  static_cast<unsigned>(parts.size())));
   if (all.get() == nullptr) return {geos, nullptr};
-  return {geos, GEOSUnaryUnion_r(geos.get(), all.get())};
+  if (precision == Precision::floating) return {geos, GEOSUnaryUnion_r(geos.get(), all.get())};
+  return {geos, GEOSUnaryUnionPrec_r(geos.get(), all.get(), cell)};
 }
 
 double ring_length(std::span<const Vec2> ring) {
@@ -106,6 +112,31 @@ double ring_length(std::span<const Vec2> ring) {
     sum += length(ring[(i + 1) % ring.size()] - ring[i]);
   }
   return sum;
+}
+
+/// Whether the way over `at` goes nowhere: it comes back on the line on which it went.
+bool is_spike(Vec2 before, Vec2 at, Vec2 after) {
+  const Vec2 in = at - before, out = after - at;
+  if (length(in) <= nearest || length(out) <= nearest) return true;
+  const double width = std::abs(cross(in, out)) / std::max(length(in), length(out));
+  return dot(in, out) < 0 && width <= nearest;
+}
+
+void remove_spikes(std::vector<Vec2>& ring) {
+  std::vector<Vec2> kept;
+  for (const Vec2 p : ring) {
+    while (kept.size() > 1 && is_spike(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
+    if (kept.empty() || length(p - kept.back()) > nearest) kept.push_back(p);
+  }
+  // Where the ring closes.
+  for (bool changed = true; changed && kept.size() >= 3;) {
+    changed = is_spike(kept[kept.size() - 2], kept.back(), kept.front());
+    if (changed) kept.pop_back();
+    if (kept.size() < 3 || !is_spike(kept.back(), kept.front(), kept[1])) continue;
+    kept.erase(kept.begin());
+    changed = true;
+  }
+  ring = std::move(kept);
 }
 
 /// Adds a ring, unless it is thin; false then.
@@ -117,11 +148,9 @@ bool add_ring(const Geos& geos, const GEOSGeometry* ring, Polygon& polygon) {
   for (unsigned i = 0; i + 1 < n; ++i) {
     Vec2 p;
     GEOSCoordSeq_getXY_r(geos.get(), points, i, &p.x, &p.y);
-    if (corners.empty() || length(p - corners.back()) > thinnest) corners.push_back(p);
+    corners.push_back(p);
   }
-  while (corners.size() > 1 && length(corners.back() - corners.front()) <= thinnest) {
-    corners.pop_back();
-  }
+  remove_spikes(corners);
   if (corners.size() < 3) return false;
   if (2 * std::abs(area(corners)) <= thinnest * ring_length(corners)) return false;
   for (const Vec2 p : corners) polygon.add_point(p);
@@ -149,19 +178,53 @@ void extract(const Geos& geos, const GEOSGeometry* geometry, std::vector<Polygon
   }
 }
 
-using Operation = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*);
+enum class Operation { intersection, difference };
+
+GEOSGeometry* apply(const Geos& geos, Operation operation, const Geometry& a, const Geometry& b,
+                    Precision precision) {
+  const bool floating = precision == Precision::floating;
+  if (operation == Operation::intersection) {
+    return floating ? GEOSIntersection_r(geos.get(), a.get(), b.get())
+                    : GEOSIntersectionPrec_r(geos.get(), a.get(), b.get(), cell);
+  }
+  return floating ? GEOSDifference_r(geos.get(), a.get(), b.get())
+                  : GEOSDifferencePrec_r(geos.get(), a.get(), b.get(), cell);
+}
 
 std::optional<std::vector<Polygon>> combine(std::span<const Polygon> a, std::span<const Polygon> b,
-                                            Operation operation) {
+                                            Operation operation, Precision precision) {
   const Geos geos;
-  const Geometry first = to_geometry(geos, a), second = to_geometry(geos, b);
+  const Geometry first = to_geometry(geos, a, precision), second = to_geometry(geos, b, precision);
   if (first.get() == nullptr || second.get() == nullptr) return std::nullopt;
-  const Geometry combined(geos, operation(geos.get(), first.get(), second.get()));
+  const Geometry combined(geos, apply(geos, operation, first, second, precision));
   if (combined.get() == nullptr) return std::nullopt;
   std::vector<Polygon> result;
   extract(geos, combined.get(), result);
   return result;
 }
+
+/// The points of source edges, to put results exactly on them again.
+class PointIndex {
+ public:
+  explicit PointIndex(std::span<const TaggedEdge> sources) {
+    for (const TaggedEdge& edge : sources) points_.push_back(edge.from);
+    std::sort(points_.begin(), points_.end(), by_u);
+  }
+
+  /// The first source point that is the same but for rounding, else p itself.
+  Vec2 nearest_to(Vec2 p) const {
+    const Vec2 low{p.x - nearest, 0};
+    for (auto i = std::lower_bound(points_.begin(), points_.end(), low, by_u);
+         i != points_.end() && i->x <= p.x + nearest; ++i) {
+      if (std::abs(i->y - p.y) <= nearest) return *i;
+    }
+    return p;
+  }
+
+ private:
+  static bool by_u(Vec2 a, Vec2 b) { return a.x < b.x; }
+  std::vector<Vec2> points_;
+};
 
 /// How far the edge runs along the source, in metres; 0 when it does not lie on it.
 double overlap(Vec2 from, Vec2 to, const TaggedEdge& source) {
@@ -191,18 +254,22 @@ EdgeTag find_tag(Vec2 from, Vec2 to, std::span<const TaggedEdge> sources) {
   return tag;
 }
 
+/// Drops corners that are none. Compares with the last corner kept, so that a chain of small bends
+/// stays.
 Polygon without_straight_points(const Polygon& polygon) {
   Polygon result;
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     const auto ring = polygon.ring(r);
     const EdgeTag* tags = polygon.tags.data() + polygon.ring_begin(r);
     const std::size_t n = ring.size();
+    Vec2 before = ring[n - 1];
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec2 before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
-      const Vec2 chord = normalized(after - before);
-      const bool straight = std::abs(cross(chord, ring[i] - before)) <= thinnest &&
-                            dot(ring[i] - before, after - ring[i]) > 0;
-      if (!straight || tags[i] != tags[(i + n - 1) % n]) result.add_point(ring[i], tags[i]);
+      const Vec2 chord = normalized(ring[(i + 1) % n] - before), step = ring[i] - before;
+      const bool straight = std::abs(cross(chord, step)) <= thinnest && dot(chord, step) > 0 &&
+                            dot(chord, ring[(i + 1) % n] - ring[i]) > 0;
+      if (straight && tags[i] == tags[(i + n - 1) % n]) continue;
+      result.add_point(ring[i], tags[i]);
+      before = ring[i];
     }
     result.close_ring();
   }
@@ -226,22 +293,24 @@ std::vector<TaggedEdge> sources_of(const Polygon& a, const Polygon& b) {
 
 }  // namespace
 
-std::vector<Polygon> unite(std::span<const Polygon> pieces) {
+std::vector<Polygon> unite(std::span<const Polygon> pieces, Precision precision) {
   const Geos geos;
   std::vector<Polygon> result;
-  extract(geos, to_geometry(geos, pieces).get(), result);
+  extract(geos, to_geometry(geos, pieces, precision).get(), result);
   return result;
 }
 
-std::vector<Polygon> intersect(std::span<const Polygon> a, std::span<const Polygon> b) {
+std::vector<Polygon> intersect(std::span<const Polygon> a, std::span<const Polygon> b,
+                               Precision precision) {
   if (a.empty() || b.empty()) return {};
-  return combine(a, b, GEOSIntersection_r).value_or(std::vector<Polygon>{});
+  return combine(a, b, Operation::intersection, precision).value_or(std::vector<Polygon>{});
 }
 
-std::vector<Polygon> subtract(std::span<const Polygon> from, std::span<const Polygon> pieces) {
+std::vector<Polygon> subtract(std::span<const Polygon> from, std::span<const Polygon> pieces,
+                              Precision precision) {
   if (from.empty()) return {};
   if (pieces.empty()) return {from.begin(), from.end()};
-  return combine(from, pieces, GEOSDifference_r)
+  return combine(from, pieces, Operation::difference, precision)
       .value_or(std::vector<Polygon>(from.begin(), from.end()));
 }
 
@@ -254,7 +323,9 @@ std::vector<TaggedEdge> tagged_edges(const Polygon& polygon) {
 }
 
 void take_tags(std::vector<Polygon>& polygons, std::span<const TaggedEdge> sources) {
+  const PointIndex originals(sources);
   for (Polygon& polygon : polygons) {
+    for (Vec2& p : polygon.points) p = originals.nearest_to(p);
     std::vector<EdgeTag> tags;
     for_each_edge(polygon, [&](uint32_t, Vec2 from, Vec2 to) {
       tags.push_back(find_tag(from, to, sources));
@@ -266,7 +337,7 @@ void take_tags(std::vector<Polygon>& polygons, std::span<const TaggedEdge> sourc
 
 std::vector<Polygon> intersection(const Polygon& a, const Polygon& b) {
   if (a.empty() || b.empty() || apart(a, b)) return {};
-  auto result = intersect({&a, 1}, {&b, 1});
+  auto result = intersect({&a, 1}, {&b, 1}, Precision::grid);
   take_tags(result, sources_of(a, b));
   return result;
 }
@@ -274,7 +345,7 @@ std::vector<Polygon> intersection(const Polygon& a, const Polygon& b) {
 std::vector<Polygon> difference(const Polygon& a, const Polygon& b) {
   if (a.empty()) return {};
   if (b.empty() || apart(a, b)) return {a};
-  auto result = subtract({&a, 1}, {&b, 1});
+  auto result = subtract({&a, 1}, {&b, 1}, Precision::grid);
   take_tags(result, sources_of(a, b));
   return result;
 }

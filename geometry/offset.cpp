@@ -100,8 +100,14 @@ void add_shadows(std::vector<Polygon>& shadows, const Side& side, Segment blocke
   const auto seen_from = [&](Vec2 end, Vec2 outwards) {
     Segment part = blocker;
     if (!clip_segment(part, outwards, dot(outwards, end))) return;
-    const Vec2 first = part.first - end, second = part.second - end;
-    if (length(first) < touching || length(second) < touching) return;
+    Vec2 first = part.first - end, second = part.second - end;
+    const bool first_there = length(first) < touching, second_there = length(second) < touching;
+    if (first_there && second_there) return;
+    if (first_there || second_there) {
+      // An edge that starts at the end itself hides what lies beyond it.
+      (first_there ? first : second) = outwards;
+      part = {end, end};
+    }
     add_shadow(shadows, part, part.first + normalized(first) * far,
                part.second + normalized(second) * far);
   };
@@ -110,47 +116,91 @@ void add_shadows(std::vector<Polygon>& shadows, const Side& side, Segment blocke
 }
 
 /// The part of what a side sweeps over that it can see.
-std::vector<Polygon> visible(const Side& side, std::span<const Segment> blockers) {
+std::vector<Polygon> visible(const Side& side, std::span<const Segment> blockers,
+                             Precision precision) {
   const Polygon whole = ring_polygon(side.swept);
   std::vector<Polygon> shadows;
   for (const Segment& blocker : blockers) add_shadows(shadows, side, blocker);
-  return subtract({&whole, 1}, shadows);
+  return subtract({&whole, 1}, shadows, precision);
 }
 
-/// The part of the rival's figure that the rival reaches before this side does (the earlier one
-/// when both arrive at the same time).
-std::vector<Polygon> lost_to(const Side& rival, const Side& side, std::span<const Polygon> figure) {
-  const auto time = [](const Side& s) {
-    const Vec2 slope = s.normal * (1 / s.distance);
-    return std::pair{slope, dot(slope, s.from)};
-  };
-  const auto [rival_slope, rival_start] = time(rival);
-  const auto [slope, start] = time(side);
-  const Vec2 change = rival_slope - slope;
+/// Where one side arrives before another: dot(normal, p) <= offset, or everywhere, or nowhere.
+struct Sooner {
+  Vec2 normal;
+  double offset = 0;
+  bool everywhere = false, nowhere = false;
+};
+
+Sooner where_sooner(const Side& first, const Side& second) {
+  const Vec2 first_slope = first.normal * (1 / first.distance);
+  const Vec2 second_slope = second.normal * (1 / second.distance);
+  const Vec2 change = first_slope - second_slope;
   const double size = length(change);
-  if (size < 1e-9 * length(slope)) {
-    const double sooner = rival_start - start;
-    const bool rival_first = sooner > 1e-9 || (sooner > -1e-9 && rival.edge < side.edge);
-    return rival_first ? std::vector<Polygon>(figure.begin(), figure.end())
-                       : std::vector<Polygon>{};
-  }
-  std::vector<Polygon> lost;
-  for (const Polygon& piece : figure) {
-    for (Polygon& part : clip(piece, change * (1 / size), (rival_start - start) / size)) {
-      lost.push_back(std::move(part));
+  const double lead = dot(first_slope, first.from) - dot(second_slope, second.from);
+  if (size >= 1e-9 * length(second_slope)) return {change * (1 / size), lead / size};
+  // Parallel and as fast; when both arrive at once, the earlier edge is the first.
+  const bool first_wins = lead > 1e-9 || (lead > -1e-9 && first.edge < second.edge);
+  return {{}, 0, first_wins, !first_wins};
+}
+
+std::vector<Polygon> clip(const Polygon& polygon, const Sooner& where) {
+  if (where.nowhere) return {};
+  if (where.everywhere) return {polygon};
+  return clip(polygon, where.normal, where.offset);
+}
+
+bool inside_convex(std::span<const Vec2> points, std::span<const Vec2> convex) {
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const Vec2 along = normalized(convex[(i + 1) % convex.size()] - convex[i]);
+    for (const Vec2 p : points) {
+      if (cross(along, p - convex[i]) < -touching) return false;
     }
   }
-  return lost;
+  return true;
+}
+
+/// Takes from the strip what the rival, on its figure, reaches before this side does. Where the
+/// figure holds all of the strip beyond their bisector, a cut is enough; else what is lost is
+/// collected.
+void lose_to(const Side& rival, const Side& side, std::span<const Polygon> figure,
+             std::vector<Polygon>& strip, std::vector<Polygon>& lost) {
+  const Sooner sooner = where_sooner(rival, side);
+  const bool convex = figure.size() == 1 && is_convex(figure[0]);
+  bool all_held = convex;
+  for (std::size_t i = 0; i < strip.size() && all_held; ++i) {
+    for (const Polygon& part : clip(strip[i], sooner)) {
+      all_held = all_held && inside_convex(part.points, figure[0].points);
+    }
+  }
+  if (all_held) {
+    const Sooner later{sooner.normal * -1, -sooner.offset, sooner.nowhere, sooner.everywhere};
+    std::vector<Polygon> left;
+    for (const Polygon& piece : strip) {
+      for (Polygon& part : clip(piece, later)) left.push_back(std::move(part));
+    }
+    strip = std::move(left);
+    return;
+  }
+  for (const Polygon& piece : figure) {
+    for (Polygon& part : clip(piece, sooner)) {
+      if (!convex || convex_overlap(side.swept, part.points, 0)) lost.push_back(std::move(part));
+    }
+  }
 }
 
 /// The general case: figures are cut to what their edges see, shared ground goes to the side that
 /// reaches it first, and the inside is what no side reaches.
-Inset resolve(const Polygon& polygon, std::span<const Side> sides, const Conflicts& conflicts) {
+Inset resolve(const Polygon& polygon, std::span<const Side> sides, const Conflicts& conflicts,
+              Precision precision) {
   std::vector<std::vector<Polygon>> figures;
   std::vector<Polygon> all;
   std::vector<TaggedEdge> edges = tagged_edges(polygon), inner_edges = edges;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    figures.push_back(visible(sides[i], conflicts.blockers[i]));
+    figures.push_back(visible(sides[i], conflicts.blockers[i], precision));
+    if (precision == Precision::grid) {
+      // Rings that touch let figures through; rare, and too dear to do always.
+      figures.back() = intersect(figures.back(), {&polygon, 1}, precision);
+    }
     all.insert(all.end(), figures.back().begin(), figures.back().end());
     const EdgeTag tag = polygon.tags[sides[i].edge];
     inner_edges.push_back({sides[i].moved_from, sides[i].moved_to, tag});
@@ -163,23 +213,25 @@ Inset resolve(const Polygon& polygon, std::span<const Side> sides, const Conflic
   }
 
   Inset result;
-  result.inside = subtract({&polygon, 1}, all);
+  result.inside = subtract({&polygon, 1}, all, precision);
   take_tags(result.inside, inner_edges);
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    std::vector<Polygon> lost;
+    std::vector<Polygon> strip = figures[i], lost;
     for (const uint32_t rival : conflicts.rivals[i]) {
-      for (Polygon& part : lost_to(sides[rival], sides[i], figures[rival])) {
-        if (part.has_holes() || !is_convex(part) ||
-            convex_overlap(sides[i].swept, part.points, 0)) {
-          lost.push_back(std::move(part));
-        }
-      }
+      lose_to(sides[rival], sides[i], figures[rival], strip, lost);
     }
-    std::vector<Polygon> strip = subtract(figures[i], lost);
+    strip = subtract(strip, lost, precision);
     take_tags(strip, edges);
     std::move(strip.begin(), strip.end(), std::back_inserter(result.border));
   }
   return result;
+}
+
+bool covers(const Polygon& polygon, const Inset& inset) {
+  double sum = -area(polygon);
+  for (const Polygon& piece : inset.inside) sum += area(piece);
+  for (const Polygon& piece : inset.border) sum += area(piece);
+  return std::abs(sum) <= touching * (10 + perimeter(polygon));
 }
 
 /// The plain case: no figure meets another, and every corner has one new place.
@@ -212,34 +264,39 @@ bool plain(std::span<const Side> sides, std::span<const MovedCorner> corners,
          std::all_of(corners.begin(), corners.end(), [](const MovedCorner& c) { return c.mitred; });
 }
 
+/// The new ends of two edges at a convex corner: one mitre, or two ends of a bevel that passes the
+/// corner at the distance.
+std::pair<Vec2, Vec2> outset_corner(Vec2 v, Vec2 in, Vec2 out, double distance) {
+  const double turn = std::atan2(cross(in, out), dot(in, out));
+  const bool mitre = 1 <= outset_mitre * std::cos(turn / 2);
+  const double reach = distance * std::tan(mitre ? turn / 2 : turn / 4);
+  const Vec2 first = v - left_of(in) * distance + in * reach;
+  return {first, mitre ? first : v - left_of(out) * distance - out * reach};
+}
+
 /// What an outset adds: for every edge its strip up to the mitres of convex corners, and a triangle
 /// at each bevel. `edges` collects the new edges.
-std::vector<Polygon> outset_pieces(const Polygon& polygon, std::span<const MovedCorner> corners,
-                                   double distance, std::vector<TaggedEdge>& edges) {
+std::vector<Polygon> outset_pieces(const Polygon& polygon, double distance,
+                                   std::vector<TaggedEdge>& edges) {
   std::vector<Polygon> pieces{polygon};
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
-    const uint32_t begin = polygon.ring_begin(r), size = polygon.ring_ends[r] - begin;
-    const auto out = [&](uint32_t i) {
-      const Vec2 along = polygon.points[begin + (i + 1) % size] - polygon.points[begin + i % size];
-      return left_of(normalized(along)) * -distance;
+    const auto ring = polygon.ring(r);
+    const auto at = [&](std::size_t i) { return ring[i % ring.size()]; };
+    const auto along = [&](std::size_t i) { return normalized(at(i + 1) - at(i)); };
+    const auto corner = [&](std::size_t i) {  // between edges i and i + 1
+      const Vec2 v = at(i + 1), in = along(i), out = along(i + 1);
+      if (cross(in, out) > 0) return outset_corner(v, in, out, distance);
+      return std::pair{v - left_of(in) * distance, v - left_of(out) * distance};
     };
-    const auto has_mitre = [&](uint32_t i) {
-      const uint32_t v = begin + i % size;
-      return corners[v].mitred && cross(out(i + size - 1), out(i)) > 0 &&
-             length(corners[v].in - polygon.points[v]) <= outset_mitre * distance;
-    };
-    for (uint32_t i = 0; i < size; ++i) {
-      const uint32_t v = begin + i, next = begin + (i + 1) % size;
-      const Vec2 from = polygon.points[v], to = polygon.points[next];
-      const EdgeTag tag = polygon.tags[v];
-      if (from == to) continue;
-      const Vec2 low = has_mitre(i) ? corners[v].in : from + out(i);
-      const Vec2 high = has_mitre(i + 1) ? corners[next].in : to + out(i);
-      pieces.push_back(ring_polygon(std::array{from, to, high, low}));
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const EdgeTag tag = polygon.tags[polygon.ring_begin(r) + i];
+      const Vec2 low = corner(i + ring.size() - 1).second;
+      const auto [high, beyond] = corner(i);
+      pieces.push_back(ring_polygon(std::array{at(i), at(i + 1), high, low}));
       edges.push_back({low, high, tag});
-      if (has_mitre(i + 1) || cross(out(i), out(i + 1)) < 0) continue;
-      pieces.push_back(ring_polygon(std::array{to, to + out(i), to + out(i + 1)}));
-      edges.push_back({to + out(i), to + out(i + 1), tag});
+      if (high == beyond || cross(along(i), along(i + 1)) < 0) continue;
+      pieces.push_back(ring_polygon(std::array{at(i + 1), high, beyond}));
+      edges.push_back({high, beyond, tag});
     }
   }
   return pieces;
@@ -261,7 +318,12 @@ Inset setback(const Polygon& polygon, const std::function<double(uint32_t edge)>
   if (sides.empty()) return {{polygon}, {}};
   const Conflicts conflicts = find_conflicts(polygon, sides);
   if (plain(sides, corners, conflicts)) return plain_setback(polygon, sides, corners);
-  return resolve(polygon, sides, conflicts);
+  const std::vector<Side> wide =
+      moved_sides(polygon, distances, widen(polygon, distances, corners));
+  const Conflicts wide_conflicts = find_conflicts(polygon, wide);
+  Inset result = resolve(polygon, wide, wide_conflicts, Precision::floating);
+  if (!covers(polygon, result)) result = resolve(polygon, wide, wide_conflicts, Precision::grid);
+  return result;
 }
 
 std::vector<Polygon> outset(const Polygon& polygon, double distance) {
@@ -281,8 +343,9 @@ std::vector<Polygon> outset(const Polygon& polygon, double distance) {
     return {moved};
   }
   std::vector<TaggedEdge> edges;
-  const std::vector<Polygon> pieces = outset_pieces(polygon, corners, distance, edges);
-  std::vector<Polygon> result = unite(pieces);
+  const std::vector<Polygon> pieces = outset_pieces(polygon, distance, edges);
+  std::vector<Polygon> result = unite(pieces, Precision::floating);
+  if (result.size() != 1) result = unite(pieces, Precision::grid);
   take_tags(result, edges);
   return result;
 }

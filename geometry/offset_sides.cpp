@@ -7,7 +7,7 @@ namespace mansard {
 namespace {
 
 /// A mitre longer than this many moved distances is no mitre, at corners that open as they move.
-constexpr double mitre_limit = 20;
+constexpr double mitre_limit = 4;
 /// Nearly straight corners whose edges move differently get a step when the mitre would be longer.
 constexpr double step_limit = 10;
 
@@ -54,23 +54,39 @@ void add_top(Side& side, const MovedCorner& first, const MovedCorner& last) {
   side.swept.push_back(side.from + a * (cross(along, b) / turn));
 }
 
+/// Calls f(edge before, edge after, direction in, direction out) for every point; the edge after a
+/// point has its number.
+template <class F>
+void for_each_corner(const Polygon& polygon, F f) {
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const uint32_t begin = polygon.ring_begin(r), n = polygon.ring_ends[r] - begin;
+    for (uint32_t i = 0; i < n; ++i) {
+      const uint32_t before = begin + (i + n - 1) % n, at = begin + i, after = begin + (i + 1) % n;
+      f(before, at, normalized(polygon.points[at] - polygon.points[before]),
+        normalized(polygon.points[after] - polygon.points[at]));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<MovedCorner> move_corners(const Polygon& polygon, std::span<const double> distances) {
-  std::vector<MovedCorner> corners;
-  corners.reserve(polygon.points.size());
-  for (std::size_t r = 0; r < polygon.rings(); ++r) {
-    const auto ring = polygon.ring(r);
-    const uint32_t begin = polygon.ring_begin(r);
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t before = (i + n - 1) % n;
-      const Vec2 in = normalized(ring[i] - ring[before]);
-      const Vec2 out = normalized(ring[(i + 1) % n] - ring[i]);
-      corners.push_back(
-          move_corner(ring[i], in, out, distances[begin + before], distances[begin + i]));
-    }
-  }
+  std::vector<MovedCorner> corners(polygon.points.size());
+  for_each_corner(polygon, [&](uint32_t before, uint32_t i, Vec2 in, Vec2 out) {
+    corners[i] = move_corner(polygon.points[i], in, out, distances[before], distances[i]);
+    corners[i].convex = cross(in, out) > 0;
+  });
+  return corners;
+}
+
+std::vector<MovedCorner> widen(const Polygon& polygon, std::span<const double> distances,
+                               std::vector<MovedCorner> corners) {
+  for_each_corner(polygon, [&](uint32_t before, uint32_t i, Vec2 in, Vec2 out) {
+    if (!corners[i].convex) return;
+    const Vec2 v = polygon.points[i];
+    if (dot(corners[i].in - v, in) < 0) corners[i].in = v + left_of(in) * distances[before];
+    if (dot(corners[i].out - v, out) > 0) corners[i].out = v + left_of(out) * distances[i];
+  });
   return corners;
 }
 

@@ -26,11 +26,17 @@ struct Side {
 struct MovedCorner {
   Vec2 in, out, between;
   bool mitred = true;
+  bool convex = false;  ///< of the polygon
 };
 
 /// Moves every edge to the left (inwards) by distances[edge] metres; negative distances move it
 /// outwards. Corners in the order of the polygon's points.
 std::vector<MovedCorner> move_corners(const Polygon& polygon, std::span<const double> distances);
+
+/// The same with sides as wide as their edges at convex corners, where mitres would cut them short:
+/// for sides that outlive their neighbours.
+std::vector<MovedCorner> widen(const Polygon& polygon, std::span<const double> distances,
+                               std::vector<MovedCorner> corners);
 
 /// The sides that move, in edge order. All distances must have the same sign.
 std::vector<Side> moved_sides(const Polygon& polygon, std::span<const double> distances,
