@@ -65,6 +65,7 @@ GEOSGeometry* to_ring(const Geos& geos, std::span<const Vec2> ring) {
 }
 
 Geometry to_geometry(const Geos& geos, const Polygon& polygon) {
+  if (!std::isfinite(perimeter(polygon))) return {geos, nullptr};
   std::vector<GEOSGeometry*> rings;
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     if (polygon.ring(r).size() >= 3) {

@@ -11,7 +11,7 @@ namespace mansard {
 /// What an inset leaves and what it cuts off. `inside` is empty when nothing is left.
 struct Inset {
   std::vector<Polygon> inside;
-  std::vector<Polygon> border;  ///< for setback: one strip (or more pieces) per moved edge, in edge order
+  std::vector<Polygon> border;  ///< strips of the moved edges, in edge order; one may have pieces
 };
 
 /// Moves every edge for which `distance(edge)` is positive inwards by that many metres, mitred

@@ -135,7 +135,9 @@ std::vector<uint32_t> triangulate(const Polygon& polygon) {
     std::vector<uint32_t> triangles = EarCutter(outline).run();
     if (covers(polygon, triangles)) return triangles;
   }
-  if (auto triangles = triangulate_delaunay(polygon)) return std::move(*triangles);
+  if (std::isfinite(perimeter(polygon))) {
+    if (auto triangles = triangulate_delaunay(polygon)) return std::move(*triangles);
+  }
   return EarCutter(outline).run();
 }
 

@@ -65,7 +65,7 @@ class RandomPolygons {
  private:
   Polygon star() {
     Polygon p;
-    add_star(p, {}, 4, 12, 3 + below(20), 1);
+    add_star(p, {}, 4, 12, 3 + below(12), 1);
     if (below(2) == 0) {
       add_star(p, {-1.4, 0}, 0.3, 1.2, 3 + below(6), -1);
       add_star(p, {1.4, 0.2}, 0.3, 1.2, 3 + below(6), -1);
@@ -109,7 +109,7 @@ class RandomPolygons {
   /// Teeth up and down, that one line cuts many times.
   Polygon comb() {
     Polygon p;
-    const int teeth = 2 + below(6);
+    const int teeth = 2 + below(3);
     for (int i = 0; i < teeth; ++i) {
       p.add_point({2.0 * i, -1.0 - below(3)});
       p.add_point({2.0 * i + 1, below(2) == 0 ? 0.0 : between(-0.5, 0.5)});
