@@ -91,6 +91,7 @@ class TreeBuilder {
   syntax::Style style_;
   syntax::Block block_;
   bool sound_ = true;
+  int lost_arrows_ = 0;
 };
 
 }  // namespace mansard

@@ -234,6 +234,7 @@ const char* line_of_first_word(Span word) {
 }  // namespace
 
 void TreeBuilder::warn_lost_arrow(const Rule& rule) {
+  constexpr int enough = 50;  // of one kind in one file
   uint32_t head_column = 0;
   for (const Element& element : rule.successor) {
     const auto* symbol = std::get_if<Emit>(&element.is);
@@ -242,7 +243,7 @@ void TreeBuilder::warn_lost_arrow(const Rule& rule) {
     if (!line || line <= source_.text().data() + rule.name.at.begin) continue;
     if (head_column == 0) head_column = source_.position(rule.at.begin).column;
     const auto column = source_.text().data() + element.at.begin - line + 1;
-    if (column > head_column) continue;
+    if (column > head_column || ++lost_arrows_ > enough) continue;
     Diagnostic warning{Severity::warning, "W001", symbol->name.at, {}, {}, {}, {}};
     warning.text = in_quotes(symbol->name.text) +
                    " stands where a rule begins, but is read as part of rule " +

@@ -23,9 +23,8 @@ bool is_text(const Source& source, Diagnostics& diagnostics) {
   const std::string_view text = source.text();
   if (text.size() > Source::max_bytes) {
     diagnostics.add(error({&source, 0, 0},
-                          "the file has " + std::to_string(text.size() >> 20) +
-                              " MB; a script has at most " +
-                              std::to_string(Source::max_bytes >> 20) + " MB",
+                          "the file is larger than the " + std::to_string(Source::max_bytes >> 20) +
+                              " MB that a script may have",
                           {}));
     return false;
   }

@@ -74,11 +74,8 @@ class Skip {
   // With an error of its own, but first on a line that is indented no deeper than the member's.
   bool looks_like_member(const char* at) const {
     constexpr std::array<std::string_view, 5> inner{"else", "then", "if", "super", "per"};
-    if (std::any_of(inner.begin(), inner.end(), [&](std::string_view word) {
-          return std::string_view(at, word.size()) == word && !Reading::is_word(at[word.size()]);
-        })) {
-      return false;
-    }
+    const std::string_view word(at, static_cast<std::size_t>(past(at) - at));
+    if (std::find(inner.begin(), inner.end(), word) != inner.end()) return false;
     const char* const line = reading_.line_begin(at);
     return reading_.after_blanks(line) == at &&
            at - line <= reading_.after_blanks(member_line_) - member_line_;

@@ -13,7 +13,7 @@ namespace mansard {
 class Source {
  public:
   /// A longer text is refused by parse() and counts as one line.
-  static constexpr std::size_t max_bytes = 32 << 20;
+  static constexpr std::size_t max_bytes = 4 << 20;
 
   Source(std::string name, std::string text);
   Source(const Source&) = delete;
