@@ -74,6 +74,7 @@ TEST_CASE("two unrelated parents are named once, where they meet") {
   CHECK(heir.complaints() == "W003 'FOO' comes from both 'A' and 'B', and 'A' wins\n");
   CHECK(heir.diagnostics.all().front().at.text() == "Both");
   CHECK(Linked(parents + "style Heir : Both { X { FOO -> c } }").complaints() == "");
+  CHECK(Linked(parents + "style Heir : Both { X { FOO -> [ c ] super } }").complaints() == "");
 }
 
 TEST_CASE("override and super settle two unrelated parents") {
