@@ -127,12 +127,11 @@ void Reader::read(OGRLayer& layer) {
   if (is_osm()) {
     // Through a query the driver builds no other layer.
     const std::string query = osm_query(layer);
-    OGRLayer* result = data_->ExecuteSQL(query.c_str(), nullptr, nullptr);
-    if (result == nullptr) {
-      fail("'" + request_.where + "' is not a condition of OGR SQL", "", messages_);
-    }
+    const auto release = [&](OGRLayer* result) { data_->ReleaseResultSet(result); };
+    const std::unique_ptr<OGRLayer, decltype(release)> result(
+        data_->ExecuteSQL(query.c_str(), nullptr, nullptr), release);
+    if (!result) fail("'" + request_.where + "' is not a condition of OGR SQL", "", messages_);
     read_filtered(*result, false);
-    data_->ReleaseResultSet(result);
     return;
   }
   const bool has_ids = *layer.GetFIDColumn() != '\0' || gives_numbers(layer);

@@ -45,7 +45,8 @@ double median(std::span<double> values) {
   return *middle;
 }
 
-/// Coordinate by coordinate: a stray point (0, 0) does not move it, as it would move a box.
+/// Coordinate by coordinate. It is never far from the set, as a box's middle would be where there
+/// is a stray point (0, 0) or where the date line runs through.
 Vec2 median(const std::vector<Vec2>& points) {
   if (points.empty()) return {};
   std::vector<double> x, y;
@@ -116,13 +117,7 @@ std::optional<Vec2> middle(const RawSet& set, const std::vector<GisRange>& range
     std::erase_if(points, [](Vec2 p) { return !std::isfinite(p.x + p.y); });
     all.insert(all.end(), points.begin(), points.end());
   }
-  const auto [west, east] =
-      std::minmax_element(all.begin(), all.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
-  if (!all.empty() && east->x - west->x > 180) {  // across the date line
-    for (Vec2& p : all) p.x += p.x < 0 ? 360 : 0;
-  }
-  Vec2 result = median(all);
-  if (result.x > 180) result.x -= 360;
+  const Vec2 result = median(all);
   return Vec2{std::round(result.x * 1e4) / 1e4, std::round(result.y * 1e4) / 1e4};
 }
 

@@ -160,6 +160,19 @@ TEST_CASE("an OBJ is objects, groups, materials and polygons") {
   CHECK(mtl == "newmtl brick\nKd 0.5 0.25 0.1\nd 1\nnewmtl glass\nKd 0.1 0.2 0.3\nd 0.5\n");
 }
 
+TEST_CASE("a building's lines do not depend on those before it but for their numbers") {
+  const Folder folder;
+  Surface s;
+  add_polygon(s, {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, 0, 0);
+  const auto writer = write_obj(folder / "a.obj", Up::y, "");
+  writer->add({"a", &s}, symbols, looks);
+  writer->add({"b", &s}, symbols, looks);
+  writer->finish(looks);
+  const std::string obj = content(folder / "a.obj");
+  CHECK(obj.find("vn 0 0 1", obj.find("o b")) != obj.npos);
+  CHECK(obj.find("f 4/4/2 5/5/2 6/6/2\n") != obj.npos);
+}
+
 TEST_CASE("z up turns the model and keeps it right-handed") {
   const Folder folder;
   Surface s;
