@@ -17,6 +17,7 @@ void Compiler::mark_settable() {
 void Compiler::find_shape_readers() {
   std::vector<uint8_t> state(program_.variables.size(), 0);  // 0 new, 1 being read, 2 done
   for (uint32_t i = 0; i < program_.variables.size(); ++i) {
+    variable_depth_ = 0;
     attempt(program_.main_style, {}, [&] { variable_reads_shape(i, state); });
   }
 }
@@ -31,7 +32,15 @@ bool Compiler::variable_reads_shape(uint32_t slot, std::vector<uint8_t>& state) 
   }
   state[slot] = 1;
   bool reads = v.settable || v.per != VariableSlot::Per::building;
+  const int levels = v.value == none ? 0 : program_.depths[v.value] + 1;
+  constexpr int deepest = 3000;
+  if (variable_depth_ + levels > deepest) {
+    state[slot] = 2;
+    refuse(at, "variables that read each other more than 3000 deep");
+  }
+  variable_depth_ += levels;
   if (v.value != none && reads_shape(v.value, state)) reads = true;
+  variable_depth_ -= levels;
   state[slot] = 2;
   v.reads_shape = reads;
   return reads;

@@ -66,11 +66,9 @@ bool Compiler::run() {
   for (uint32_t i = 0; i < program_.symbols.size(); ++i) {
     program_.symbol_hashes.push_back(hash_of(program_.symbols[i]));
   }
-  if (diagnostics_.has_errors()) return false;
   apply_settings();
   mark_settable();
   find_shape_readers();
-  if (diagnostics_.has_errors()) return false;
   fold_constants();
   check_types();
   return !diagnostics_.has_errors();

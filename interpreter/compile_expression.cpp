@@ -104,7 +104,7 @@ ExprId Compiler::node(ExprKind kind, Span at, std::vector<ExprId> children, uint
   std::size_t depth = 1;
   for (const ExprId child : children)
     depth = std::max<std::size_t>(depth, program_.depths[child] + 1u);
-  if (depth > 2000) refuse(at, "an expression more than 2000 deep", "divide it up with variables");
+  if (depth > 1000) refuse(at, "an expression more than 1000 deep", "divide it up with variables");
   program_.depths.push_back(static_cast<uint16_t>(depth));
   program_.nodes.push_back(n);
   program_.spans.push_back(at);

@@ -133,6 +133,7 @@ class Compiler {
   std::map<std::string, uint32_t> setting_keys_;
   std::set<uint32_t> set_somewhere_;
   std::vector<uint16_t> pending_;
+  int variable_depth_ = 0;  ///< levels of expressions on the way through variables
 };
 
 [[noreturn]] void refuse(Span at, std::string text, std::string help = {},

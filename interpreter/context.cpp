@@ -7,6 +7,12 @@
 namespace mansard {
 
 void Context::go_on(const CallPart& given_part, std::size_t i, Shape& piece) {
+  if (++machine.parts > machine.options.max_shapes * 4) {
+    machine.fail(
+        call.at,
+        "more than " + std::to_string(machine.options.max_shapes * 4) + " parts in one building",
+        "are the sizes in metres? --max-shapes allows more");
+  }
   const Scope frame = piece.scope;
   const Env inner{&piece, env.parameters, mix(env.draws, mix(call.salt, i)), &frame};
   machine.run(given_part.body, piece, inner);

@@ -84,6 +84,10 @@ void Machine::close_run(uint32_t symbol, uint32_t look) {
   const auto end = static_cast<uint32_t>(surface.polygons());
   const uint32_t begin = surface.runs.empty() ? 0 : surface.runs.back().end;
   if (begin == end) return;
+  if (end / 16 > options.max_shapes) {
+    fail({}, "more than " + std::to_string(options.max_shapes * 16) + " polygons in one building",
+         "--max-shapes allows more");
+  }
   if (!surface.runs.empty() && surface.runs.back().symbol == symbol &&
       surface.runs.back().material == look) {
     surface.runs.back().end = end;

@@ -188,21 +188,30 @@ Value Machine::subscript(const ExprNode& node, uint32_t id, const Env& env) {
   return list.items[static_cast<std::size_t>(index)];
 }
 
+Machine::Deeper::Deeper(Machine& machine, uint32_t node, int levels)
+    : machine_(machine), levels_(levels) {
+  constexpr int deepest = 3000;
+  if (machine_.depth_ + levels_ > deepest) {
+    machine_.fail(machine_.program.spans[node],
+                  "functions or variables that call each other without end",
+                  "give the recursion an end with 'if ... then ... else'");
+  }
+  machine_.depth_ += levels_;
+}
+
 Value Machine::define(const ExprNode& node, uint32_t id, const Env& env) {
   const FunctionSlot& function = program.functions[node.first];
-  const int deeper = program.depths[function.value] + 1;
-  if (depth_of_calls_ + deeper > 8000) {
-    fail(program.spans[id], "functions that call each other without end",
-         "give the recursion an end with 'if ... then ... else'");
+  const Deeper deeper(*this, id, program.depths[function.value] + 1);
+  constexpr std::size_t most_calls = 20'000'000;
+  if (++calls_ > most_calls) {
+    fail(program.spans[id], "more than 20 million calls of functions in one building");
   }
   Value* const arguments = values_.take(node.count);
   for (uint32_t i = 0; i < node.count; ++i) {
     arguments[i] = evaluate(program.children[node.children + i], env);
   }
-  depth_of_calls_ += deeper;
   const Value result = evaluate(
       function.value, Env{env.shape, arguments, mix(env.draws, node.salt + 1u), env.frame});
-  depth_of_calls_ -= deeper;
   return result;
 }
 
@@ -233,6 +242,7 @@ const Value* Machine::keep(std::span<const Value> values) {
 }
 
 std::string_view Machine::keep(std::string_view text) {
+  if (text.size() > 1'000'000) fail({}, "a string of more than a million characters");
   char* const kept = characters_.take(text.size());
   std::copy(text.begin(), text.end(), kept);
   return {kept, text.size()};

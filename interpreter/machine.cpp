@@ -64,7 +64,8 @@ void Machine::reset(const Footprint& input, Building& result) {
   expanding = none;
   production = nullptr;
   current_rules_ = none;
-  depth_of_calls_ = 0;
+  depth_ = super_depth_ = 0;
+  calls_ = parts = 0;
   ++building_number_;
   building_seed_ = mix(options.seed, hash_of(input.id));
   for (uint32_t i = 0; i < input.properties.size(); ++i) {
@@ -280,7 +281,10 @@ void Machine::run_super(Shape& shape, const Env& env) {
   }
   Env inner = env;
   inner.draws = mix(env.draws, next);
+  constexpr int most_supers = 200;
+  if (++super_depth_ > most_supers) fail({}, "'super' goes on more than 200 times");
   rewrite(program.rule_sets[next], next, shape, inner);
+  --super_depth_;
 }
 
 void Machine::emit_value(const Step& s, const Shape& shape, const Env& env) {

@@ -111,6 +111,21 @@ class Machine {
   std::vector<double> scratch_sizes;   ///< likewise
   std::vector<SizeValue> size_values;  ///< of the split being solved
   double base_elevation = 0;
+
+  /// Holds a number of levels of evaluation; too many are an error of the style's.
+  class Deeper {
+   public:
+    Deeper(Machine& machine, uint32_t node, int levels);
+    ~Deeper() { machine_.depth_ -= levels_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+
+   private:
+    Machine& machine_;
+    int levels_;
+  };
+
+  std::size_t parts = 0;    ///< made by operations in this building
   std::size_t emitted = 0;  ///< shapes emitted by the rule being derived
 
  private:
@@ -180,7 +195,9 @@ class Machine {
   uint32_t building_number_ = 0;
   uint64_t building_seed_ = 0;
   uint32_t current_rules_ = none;
-  int depth_of_calls_ = 0;
+  int depth_ = 0;  ///< levels of expressions being evaluated in functions and variables
+  int super_depth_ = 0;
+  std::size_t calls_ = 0;  ///< of functions of the style, in this building
 
   friend class Context;
 };

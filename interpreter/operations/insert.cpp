@@ -20,8 +20,8 @@ void become_solid(Context& c, Mesh&& mesh) {
 
 int sides_or(Context& c, std::optional<double> sides, int fallback) {
   if (!sides) return fallback;
-  if (*sides < 3 || *sides > 1000) {
-    c.fail(0, "a round solid has 3 to 1000 sides, not " + number_text(*sides));
+  if (*sides < 3 || *sides > 256) {
+    c.fail(0, "a round solid has 3 to 256 sides, not " + number_text(*sides));
   }
   return static_cast<int>(std::lround(*sides));
 }
