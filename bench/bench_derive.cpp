@@ -1,0 +1,123 @@
+// Buildings from footprints, and files from buildings. One thread.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "bench/workload.hpp"
+#include "formats/surface_writer.hpp"
+
+namespace mansard::bench {
+namespace {
+
+struct Sums {
+  std::size_t buildings = 0, shapes = 0, operations = 0, vertices = 0;
+
+  void add(const Building& building) {
+    ++buildings;
+    shapes += building.shapes;
+    operations += building.operations;
+    vertices += building.surface.points.size();
+  }
+  void report(benchmark::State& state) const {
+    const auto rate = [](std::size_t n) {
+      return benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsRate);
+    };
+    const auto each = [&](std::size_t n) {
+      return static_cast<double>(n) / static_cast<double>(buildings);
+    };
+    state.counters["buildings/s"] = rate(buildings);
+    state.counters["shapes/s"] = rate(shapes);
+    state.counters["operations/s"] = rate(operations);
+    state.counters["shapes"] = each(shapes);
+    state.counters["operations"] = each(operations);
+    state.counters["vertices"] = each(vertices);
+  }
+};
+
+void derive(benchmark::State& state, Compiled& style, const std::vector<Footprint>& footprints) {
+  Derivation derivation = style.derivation();
+  Building building;
+  Sums sums;
+  for (auto _ : state) {
+    for (const Footprint& footprint : footprints) {
+      derivation.derive(footprint, building);
+      benchmark::DoNotOptimize(building.surface.points.data());
+      sums.add(building);
+    }
+  }
+  sums.report(state);
+}
+
+/// The thesis's building: at least the vertices and operations that it is said to have.
+void thesis(benchmark::State& state, const std::string& name, std::size_t operations) {
+  Compiled style("bench/thesis.style", name);
+  Building building;
+  style.derivation().derive(rectangles(1, 10, 8)[0], building);
+  if (building.surface.points.size() < 980 || building.operations < operations) {
+    refuse(name + " makes " + std::to_string(building.surface.points.size()) + " vertices by " +
+           std::to_string(building.operations) + " operations: fewer than the thesis's");
+  }
+  derive(state, style, rectangles(1000, 10, 8));
+}
+
+void thesis_by_61(benchmark::State& state) { thesis(state, "ThesisBy61", 61); }
+void thesis_by_610(benchmark::State& state) { thesis(state, "ThesisBy610", 610); }
+
+void facade_box(benchmark::State& state) {
+  Compiled style("bench/facade_box.style");
+  derive(state, style, rectangles(1000, 10, 8));
+}
+
+void facade_box_to_obj(benchmark::State& state) {
+  Compiled style("bench/facade_box.style");
+  const auto footprints = rectangles(1000, 10, 8);
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("mansard_bench_" + std::to_string(::getpid()) + ".obj"))
+                               .string();
+  const Program& program = style.program();
+  std::vector<std::string_view> symbols;
+  for (uint32_t i = 0; i < program.symbols.size(); ++i) symbols.push_back(program.symbols[i]);
+  std::vector<Look> looks;
+  for (const Material& m : program.materials) looks.push_back({m.name, m.color, m.opacity, {}});
+  Derivation derivation = style.derivation();
+  Building building;
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    const auto writer = write_obj(path, Up::y, "benchmark");
+    for (const Footprint& footprint : footprints) {
+      derivation.derive(footprint, building);
+      writer->add({building.id, &building.surface}, symbols, looks);
+    }
+    bytes += writer->finish(looks);
+  }
+  state.SetBytesProcessed(static_cast<int64_t>(bytes));
+  std::filesystem::remove(path);
+  std::filesystem::remove(std::filesystem::path(path).replace_extension(".mtl"));
+}
+
+void quarter_houses(benchmark::State& state) {
+  Compiled style("examples/quarter/quarter.style");
+  derive(state, style, quarter());
+}
+
+void hip_roofs(benchmark::State& state) {
+  Compiled style("bench/roofs.style", "Hip");
+  derive(state, style, quarter());
+}
+
+void gable_roofs(benchmark::State& state) {
+  Compiled style("bench/roofs.style", "Gable");
+  derive(state, style, quarter());
+}
+
+BENCHMARK(thesis_by_61)->Unit(benchmark::kMillisecond);
+BENCHMARK(thesis_by_610)->Unit(benchmark::kMillisecond);
+BENCHMARK(facade_box)->Unit(benchmark::kMillisecond);
+BENCHMARK(facade_box_to_obj)->Unit(benchmark::kMillisecond);
+BENCHMARK(quarter_houses)->Unit(benchmark::kMillisecond);
+BENCHMARK(hip_roofs)->Unit(benchmark::kMillisecond);
+BENCHMARK(gable_roofs)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace mansard::bench
