@@ -1,0 +1,78 @@
+// Which production rewrites a shape.
+#include <array>
+
+#include "interpreter/machine.hpp"
+#include "interpreter/messages.hpp"
+
+namespace mansard {
+
+void Machine::bind_index(const Production& chosen, const RuleSet& rules, const Shape& shape,
+                         Env& env) {
+  if (chosen.index_parameter == 0xff) return;
+  Value* const bound = values_.take(rules.parameters + 1u);
+  std::copy_n(env.parameters, rules.parameters, bound);
+  bound[rules.parameters] = Value::of(shape.index);
+  env.parameters = bound;
+}
+
+/// All productions whose condition holds are candidates, indexed ones before the others; `else`
+/// only where none before it was. One is drawn by the normalised probabilities.
+const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env& env) {
+  const Production* const all = program.productions.data() + rules.first;
+  if (rules.always) return all;
+  std::array<std::pair<const Production*, double>, 64> candidates;
+  const Env outer = env;
+  for (const bool indexed : {true, false}) {
+    if (indexed && !rules.tests_index) continue;
+    std::size_t found = 0;
+    double total = 0;
+    for (uint32_t i = 0; i < rules.count && found < candidates.size(); ++i) {
+      const Production& p = all[i];
+      if ((p.index_test != none) != indexed || (p.is_else && found > 0)) continue;
+      Env inner = outer;
+      production = &p;
+      bind_index(p, rules, shape, inner);
+      if (p.index_test != none && number(p.index_test, inner) != shape.index) continue;
+      if (p.guard != none && !condition(p.guard, inner)) continue;
+      const double weight = p.probability == none ? 1 : number(p.probability, inner);
+      if (weight < 0) fail(program.spans[p.probability], "a probability can not be negative");
+      candidates[found++] = {&p, weight};
+      total += weight;
+    }
+    if (found == 0 || total <= 0) continue;
+    if (found == 1) return candidates[0].first;
+    double draw = unit_interval(mix(shape.seed, hash_of("production"))) * total;
+    for (std::size_t i = 0; i + 1 < found; ++i) {
+      if (draw < candidates[i].second) return candidates[i].first;
+      draw -= candidates[i].second;
+    }
+    return candidates[found - 1].first;
+  }
+  return nullptr;
+}
+
+void Machine::no_candidate(const RuleSet& rules, const Shape& shape) {
+  ++building->unmatched;
+  const Production& first = program.productions[rules.first];
+  const auto name = std::string(program.symbols[shape.symbol]);
+  std::string text =
+      "no production of '" + name + "' fits a shape of " + size_text(shape.scope.size);
+  Diagnostic d{
+      Severity::error, "W010", first.syntax->head, text, {}, {}, "add a production with ': else'"};
+  for (uint32_t i = 0; i < rules.count; ++i) {
+    const Production& p = program.productions[rules.first + i];
+    if (p.syntax->guard)
+      d.notes.push_back({"this condition was tried and is false", p.syntax->guard->at});
+  }
+  if (options.strict) {
+    d.code = {};
+    throw Failure(std::move(d));
+  }
+  d.severity = Severity::warning;
+  for (const Diagnostic& known : building->warnings) {
+    if (known.code == d.code && known.at == d.at) return;
+  }
+  building->warnings.push_back(std::move(d));
+}
+
+}  // namespace mansard
