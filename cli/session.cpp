@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "formats/meshes.hpp"
 
@@ -105,7 +106,13 @@ FootprintOptions footprint_options(const Arguments& arguments) {
 
 FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
                         std::size_t& failed) {
-  FootprintSet set = read_footprints(what, footprint_options(arguments));
+  // Party walls are marked before neighbours are taken away.
+  FootprintOptions options = footprint_options(arguments);
+  const auto select = std::exchange(options.select, {});
+  const std::size_t limit = std::exchange(options.limit, 0);
+  FootprintSet set = read_footprints(what, options);
+  mark_neighbours(set.footprints);
+  choose_footprints(set, select, limit);
   constexpr std::size_t most_notes = 10;
   std::size_t repaired = 0;
   for (const FootprintNote& note : set.notes) {
@@ -128,7 +135,6 @@ FootprintSet footprints(const Session& session, const std::string& what, const A
   }
   if (repaired > most_notes)
     session.say("note: and " + std::to_string(repaired - most_notes) + " more like these");
-  mark_neighbours(set.footprints);
   return set;
 }
 
