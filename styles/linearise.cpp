@@ -164,7 +164,7 @@ class Lineariser {
     const auto position = [](const Style* s) {
       return std::pair(s->name.at.source ? s->name.at.source->name() : "", s->name.at.begin);
     };
-    std::ranges::rotate(ring, std::ranges::min_element(ring, {}, position));
+    std::rotate(ring.begin(), std::ranges::min_element(ring, {}, position), ring.end());
     std::string text = "style " + in_quotes(ring.front()->name.text) + " inherits from itself: ";
     std::vector<Note> notes;
     for (std::size_t i = 0; i < ring.size(); ++i) {

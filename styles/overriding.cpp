@@ -12,7 +12,6 @@ namespace mansard {
 
 namespace {
 
-using syntax::AbstractSymbol;
 using syntax::Function;
 using syntax::Rule;
 using syntax::Variable;
