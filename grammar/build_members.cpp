@@ -52,7 +52,7 @@ namespace {
 // The text of a documentation line stands after its slashes.
 Span documentation(Span line) {
   const std::string_view text = line.text();
-  std::size_t begin = text.rfind("\n");
+  std::size_t begin = text.rfind('\n');
   begin = text.find("///", begin == text.npos ? 0 : begin) + 3;
   if (begin < text.size() && text[begin] == ' ') ++begin;
   std::size_t end = text.size();
