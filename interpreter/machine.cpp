@@ -18,7 +18,6 @@ Machine::Machine(const Program& p, MeshSource& meshes, const DeriveOptions& o)
       variable_known_(p.variables.size(), 0),
       property_values_(p.properties.size(), nullptr),
       property_known_(p.properties.size(), 0),
-      property_origin_(p.properties.size(), none),
       variable_property_(p.variables.size(), none) {}
 
 void Machine::derive(const Footprint& input, Building& result) {
@@ -68,12 +67,18 @@ void Machine::reset(const Footprint& input, Building& result) {
   calls_ = parts = 0;
   ++building_number_;
   building_seed_ = mix(options.seed, hash_of(input.id));
-  for (uint32_t i = 0; i < input.properties.size(); ++i) {
-    const Property& property = input.properties[i];
+  for (const uint32_t slot : overridden_) variable_property_[slot] = none;
+  overridden_.clear();
+  for (const Property& property : input.properties) {
     if (const auto slot = program.properties.find(property.name)) {
       property_values_[*slot] = &property.value;
       property_known_[*slot] = building_number_;
-      property_origin_[*slot] = i;
+      const auto named = program.variables_by_property.find(property.name);
+      if (named == program.variables_by_property.end()) continue;
+      for (const uint32_t variable : named->second) {
+        variable_property_[variable] = *slot;
+        overridden_.push_back(variable);
+      }
     }
   }
 }
@@ -211,7 +216,7 @@ void Machine::run_super(Shape& shape, const Env& env) {
     return emit(plain, nodes_[expanding].symbol, shape.style, shape, env);
   }
   Env inner = env;
-  inner.draws = mix(env.draws, next);
+  inner.draws = mix(env.draws, hash_of("super"));
   constexpr int most_supers = 200;
   if (++super_depth_ > most_supers) fail({}, "'super' goes on more than 200 times");
   rewrite(program.rule_sets[next], next, shape, inner);
@@ -247,7 +252,7 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
                    const Env& env) {
   ++emitted;
   if (symbol == nil_symbol) return;
-  Shape child = shape;
+  Shape& child = stack_.emplace_back(shape);  // where it stays unless it is a terminal
   child.symbol = symbol;
   child.style = static_cast<uint16_t>(style);
   if (s.style_of != none) {
@@ -277,13 +282,15 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
   }
   if (options.keep_tree) building->tree.push_back({child, expanding, false});
   const uint32_t rules = rules_of(child);
-  if (rules == none) return finish(child);
+  if (rules == none) {
+    finish(child);
+    return stack_.pop_back();
+  }
   if (child.depth > options.max_depth) {
     fail(s.at, "more than " + std::to_string(options.max_depth) + " shapes deep",
          "does a rule call itself without end? give it a condition that ends it, or --max-depth");
   }
   check_arguments(s, program.rule_sets[rules], child);
-  stack_.push_back(child);
 }
 
 void Machine::check_arguments(const Step& s, const RuleSet& rules, const Shape& child) {
@@ -357,7 +364,7 @@ uint32_t Machine::borrow_mesh(const Mesh& mesh) {
 
 void Machine::frame_uvs(Shape& shape) {
   shape.uv_frame = static_cast<uint32_t>(uv_frames.size());
-  uv_frames.push_back({shape.scope.origin, shape.scope.x, shape.scope.y});
+  uv_frames.push_back({shape.scope.origin, shape.scope.x, shape.scope.y, shape.scope.z});
 }
 
 Derivation::Derivation(const Program& program, MeshSource& meshes, const DeriveOptions& options)

@@ -43,7 +43,7 @@ struct PooledMesh {
 
 /// Where a texture starts and runs on a wall.
 struct UvFrame {
-  Vec3 origin, u, v;
+  Vec3 origin, u, v, normal;
 };
 
 /// A value given by set(), newest first.
@@ -163,14 +163,17 @@ class Machine {
   double measure(Attribute which, const Shape& shape);
 
   // draw.cpp
-  void draw_rectangle(const Shape& shape);
-  void draw_polygon(const Shape& shape, double along, bool reversed);
-  void draw_box(const Shape& shape);
-  void draw_prism(const Shape& shape);
-  void draw_mesh(const Shape& shape, const PooledMesh& mesh, std::span<const uint32_t> looks);
+  void draw_rectangle(const Shape& shape, uint32_t look);
+  void draw_polygon(const Shape& shape, uint32_t look, double along, bool reversed);
+  void draw_box(const Shape& shape, uint32_t look);
+  void draw_prism(const Shape& shape, uint32_t look);
+  void draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& mesh,
+                 std::span<const uint32_t> own_looks);
   std::span<const uint32_t> own_looks(const Mesh& mesh);
   bool draw_element(const Shape& shape, uint32_t table);
-  void push_polygon(std::span<const Vec3> loop, const Shape& shape);
+  UvFrame texture_frame(const Shape& shape, Vec3 normal) const;
+  void push_polygon(std::span<const Vec3> loop, const Shape& shape, uint32_t look);
+  void push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame, uint32_t look);
   void close_run(uint32_t symbol, uint32_t material);
   uint32_t look_of(const Shape& shape, uint32_t symbol);
   uint64_t stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
@@ -190,7 +193,7 @@ class Machine {
   std::vector<uint32_t> variable_known_;  ///< building number for which the value holds
   std::vector<const PropertyValue*> property_values_;
   std::vector<uint32_t> property_known_;
-  std::vector<uint32_t> property_origin_;
+  std::vector<uint32_t> overridden_;         ///< variables that a property overrides
   std::vector<uint32_t> variable_property_;  ///< property number that overrides, or none
   uint32_t building_number_ = 0;
   uint64_t building_seed_ = 0;
