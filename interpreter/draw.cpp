@@ -54,26 +54,24 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
   const uint32_t elements = program.styles[shape.style].elements[symbol];
   if (elements != none && rules_of(shape) == none && draw_element(shape, elements)) return;
   const uint32_t look = look_of(shape, symbol);
-  Shape drawn = shape;
-  drawn.material = look;
   switch (shape.form) {
     case Form::nothing:
     case Form::line:
       return;
     case Form::rectangle:
-      draw_rectangle(drawn);
+      draw_rectangle(shape, look);
       break;
     case Form::polygon:
-      draw_polygon(drawn, 0, false);
+      draw_polygon(shape, look, 0, false);
       break;
     case Form::box:
-      draw_box(drawn);
+      draw_box(shape, look);
       break;
     case Form::prism:
-      draw_prism(drawn);
+      draw_prism(shape, look);
       break;
     case Form::mesh:
-      draw_mesh(drawn, mesh_of(shape), own_looks(mesh_of(shape).mesh()));
+      draw_mesh(shape, look, mesh_of(shape), own_looks(mesh_of(shape).mesh()));
       break;
   }
   close_run(symbol, look);
@@ -96,53 +94,65 @@ void Machine::close_run(uint32_t symbol, uint32_t look) {
   }
 }
 
-/// Adds a planar polygon with texture coordinates from the shape's texture frame (so that textures
-/// run on across splits), or from its own scope where the frame belongs to another plane.
-void Machine::push_polygon(std::span<const Vec3> loop, const Shape& shape) {
-  Surface& surface = building->surface;
-  const Vec3 area = newell(loop);
-  const double size = length(area);
-  if (!(size > thin * thin)) return;
-  const Vec3 normal = area * (1 / size);
-  UvFrame frame{shape.scope.origin, shape.scope.x, shape.scope.y};
+/// The shape's texture frame (so that textures run on across splits), or its own scope where that
+/// frame belongs to another plane.
+UvFrame Machine::texture_frame(const Shape& shape, Vec3 normal) const {
   if (shape.uv_frame != Shape::none) {
     const UvFrame& wall = uv_frames[shape.uv_frame];
-    if (std::abs(dot(cross(wall.u, wall.v), normal)) > 0.7) frame = wall;
+    if (std::abs(dot(wall.normal, normal)) > 0.7) return wall;
   }
-  if (std::abs(dot(cross(frame.u, frame.v), normal)) < 0.7) {
-    frame.u = normalized(loop[1] - loop[0]);
-    frame.v = cross(normal, frame.u);
-  }
-  const Vec2 metres = material(shape.material).metres;
-  frame.u = frame.u * (1 / metres.x);
-  frame.v = frame.v * (1 / metres.y);
-  for (const Vec3& p : loop) {
-    const Vec3 d = p - frame.origin;
-    surface.points.push_back(p);
-    surface.uvs.push_back({dot(d, frame.u), dot(d, frame.v)});
+  return {shape.scope.origin, shape.scope.x, shape.scope.y, shape.scope.z};
+}
+
+void Machine::push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame,
+                        uint32_t look) {
+  Surface& surface = building->surface;
+  const Vec2 metres = material(look).metres;
+  const Vec3 u = frame.u * (1 / metres.x), v = frame.v * (1 / metres.y);
+  const std::size_t first = surface.points.size();
+  surface.points.insert(surface.points.end(), loop.begin(), loop.end());
+  surface.uvs.resize(first + loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 d = loop[i] - frame.origin;
+    surface.uvs[first + i] = {dot(d, u), dot(d, v)};
   }
   surface.ends.push_back(static_cast<uint32_t>(surface.points.size()));
   surface.normals.push_back(normal);
 }
 
-void Machine::draw_rectangle(const Shape& shape) {
+/// Adds a planar polygon.
+void Machine::push_polygon(std::span<const Vec3> loop, const Shape& shape, uint32_t look) {
+  const Vec3 area = newell(loop);
+  const double size = length(area);
+  if (!(size > thin * thin)) return;
+  const Vec3 normal = area * (1 / size);
+  UvFrame frame = texture_frame(shape, normal);
+  if (std::abs(dot(frame.normal, normal)) < 0.7) {
+    frame.u = normalized(loop[1] - loop[0]);
+    frame.v = cross(normal, frame.u);
+  }
+  push_face(loop, normal, frame, look);
+}
+
+/// Most of what is ever drawn: the scope knows the normal.
+void Machine::draw_rectangle(const Shape& shape, uint32_t look) {
   const Scope& s = shape.scope;
   if (s.size.x < thin || s.size.y < thin) return;
   const Vec3 right = s.x * s.size.x, up = s.y * s.size.y;
   std::array<Vec3, 4> loop{s.origin, s.origin + right, s.origin + right + up, s.origin + up};
   if (mirrored(s)) std::swap(loop[1], loop[3]);
-  push_polygon(loop, shape);
+  push_face(loop, s.z, texture_frame(shape, s.z), look);
 }
 
 /// `along` metres along the direction in which prisms are drawn.
-void Machine::draw_polygon(const Shape& shape, double along, bool reversed) {
+void Machine::draw_polygon(const Shape& shape, uint32_t look, double along, bool reversed) {
   const PooledPolygon& pooled = polygon_of(shape);
   const PlaneMap map(shape, pooled.natural);
   const bool turned = reversed != mirrored(shape.scope);
   const auto place = [&](Vec2 p) { return shape.scope.at(map(p, along)); };
   const auto push = [&] {
     if (turned) std::reverse(loop_.begin(), loop_.end());
-    push_polygon(loop_, shape);
+    push_polygon(loop_, shape, look);
   };
   if (!pooled.polygon.has_holes()) {
     loop_.clear();
@@ -158,22 +168,20 @@ void Machine::draw_polygon(const Shape& shape, double along, bool reversed) {
   }
 }
 
-void Machine::draw_box(const Shape& shape) {
+void Machine::draw_box(const Shape& shape, uint32_t look) {
   for (int side = 0; side < 6; ++side) {
     if (shape.open & (1 << side)) continue;
-    Shape face = box_side(shape, side);
-    face.material = shape.material;
-    draw_rectangle(face);
+    draw_rectangle(box_side(shape, side), look);
   }
 }
 
-void Machine::draw_prism(const Shape& shape) {
+void Machine::draw_prism(const Shape& shape, uint32_t look) {
   const uint32_t walls = prism_walls(*this, shape);
-  for (uint32_t i = 0; i < walls; ++i) draw_rectangle(prism_wall(*this, shape, i));
+  for (uint32_t i = 0; i < walls; ++i) draw_rectangle(prism_wall(*this, shape, i), look);
   Shape cap = shape;
   cap.uv_frame = Shape::none;
-  draw_polygon(cap, prism_height(shape), false);
-  if (!(shape.open & side_bottom)) draw_polygon(cap, 0, true);
+  draw_polygon(cap, look, prism_height(shape), false);
+  if (!(shape.open & side_bottom)) draw_polygon(cap, look, 0, true);
 }
 
 /// Numbers of the materials that the mesh's own file gave it.
@@ -183,8 +191,8 @@ std::span<const uint32_t> Machine::own_looks(const Mesh& mesh) {
   return looks_;
 }
 
-void Machine::draw_mesh(const Shape& shape, const PooledMesh& pooled,
-                        std::span<const uint32_t> looks) {
+void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& pooled,
+                        std::span<const uint32_t> own_looks) {
   const Mesh& mesh = pooled.mesh();
   const Scope& s = shape.scope;
   const auto stretch = [](double size, double natural) {
@@ -194,7 +202,6 @@ void Machine::draw_mesh(const Shape& shape, const PooledMesh& pooled,
                    stretch(s.size.z, pooled.natural.z)};
   const bool turned = mirrored(s);
   Surface& surface = building->surface;
-  Shape look = shape;
   for (const Mesh::Face& face : mesh.faces) {
     loop_.clear();
     for (const uint32_t corner : mesh.loop(face)) {
@@ -202,16 +209,16 @@ void Machine::draw_mesh(const Shape& shape, const PooledMesh& pooled,
       loop_.push_back(s.at({p.x * scale.x, p.y * scale.y, p.z * scale.z}));
     }
     if (turned) std::reverse(loop_.begin(), loop_.end());
-    const bool own_look = face.material < looks.size();
-    if (own_look) look.material = looks[face.material];
+    const bool own_look = face.material < own_looks.size();
+    const uint32_t face_look = own_look ? own_looks[face.material] : look;
     const std::size_t before = surface.uvs.size();
-    push_polygon(loop_, look);
+    push_polygon(loop_, shape, face_look);
     if (own_look && !mesh.uvs.empty() && surface.uvs.size() > before) {
       for (std::size_t i = 0; i < loop_.size(); ++i) {
         surface.uvs[before + i] = mesh.uvs[turned ? face.end - 1 - i : face.begin + i];
       }
     }
-    if (own_look) close_run(shape.symbol, look.material);
+    if (own_look) close_run(shape.symbol, face_look);
   }
 }
 
@@ -235,9 +242,9 @@ bool Machine::draw_element(const Shape& shape, uint32_t number) {
   pooled.natural = box.size();
   Shape fitted = shape;
   if (fitted.scope.size.z < thin) fitted.scope.size.z = pooled.natural.z;
-  fitted.material = look_of(shape, shape.symbol);
-  draw_mesh(fitted, pooled, choice.materials[level]);
-  close_run(shape.symbol, fitted.material);
+  const uint32_t look = look_of(shape, shape.symbol);
+  draw_mesh(fitted, look, pooled, choice.materials[level]);
+  close_run(shape.symbol, look);
   return true;
 }
 
