@@ -140,6 +140,7 @@ int run_tree(const Arguments& arguments) {
   Building building;
   derivation.derive(set.footprints[0], building);
   for (const Diagnostic& d : building.warnings) session.print(d);
+  for (const std::string& line : building.printed) session.say(building.id + ": " + line);
   const Tree tree(session.program(), building.tree,
                   arguments.number("--depth", 1'000'000, 1, 1'000'000));
   std::vector<uint32_t> roots{0};

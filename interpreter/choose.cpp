@@ -41,7 +41,7 @@ const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env&
     }
     if (found == 0 || total <= 0) continue;
     if (found == 1) return candidates[0].first;
-    double draw = unit_interval(mix(shape.seed, hash_of("production"))) * total;
+    double draw = unit_interval(mix(outer.draws, hash_of("production"))) * total;
     for (std::size_t i = 0; i + 1 < found; ++i) {
       if (draw < candidates[i].second) return candidates[i].first;
       draw -= candidates[i].second;
