@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 18> signs{
     "::",  "++", "--", "+=", "-=", "*=", "/=", ":=", "**"};
 
 std::string_view found_at(std::string_view text, std::size_t at) {
-  const std::string_view rest = text.substr(at);
+  const std::string_view rest = text.substr(std::min(at, text.size()));
   if (rest.empty()) return rest;
   std::size_t length = 0;
   while (length < rest.size() && Reading::is_word(rest[length])) ++length;

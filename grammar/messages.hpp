@@ -18,7 +18,7 @@ struct quoted {
 };
 
 // clang-format off
-template <class Rule> inline constexpr Wording wording{};
+template <class Rule> inline constexpr Wording wording{nullptr, nullptr, nullptr, false};
 template <Fixed text> inline constexpr Wording wording<T<text>>{quoted<text>::words.data()};
 template <Fixed text> inline constexpr Wording wording<K<text>>{quoted<text>::words.data()};
 
@@ -57,6 +57,6 @@ template <> inline constexpr Wording wording<top>{"'style' or 'import'"};
 // clang-format on
 
 template <class Rule>
-inline constexpr bool has_wording = wording<Rule>.want || wording<Rule>.say;
+inline constexpr bool has_wording = wording<Rule>.given;
 
 }  // namespace mansard::peg

@@ -12,6 +12,7 @@ struct Wording {
   const char* want = nullptr;  ///< "a value": goes into "expected …, not 'x'"
   const char* say = nullptr;   ///< the whole sentence, where that would not read well
   const char* help = nullptr;
+  bool given = true;  ///< false for phrases that have no row
 };
 
 /// Something more particular than "expected … here", found by a rule that looks closely.
