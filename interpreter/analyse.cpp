@@ -119,8 +119,10 @@ std::optional<Type> Compiler::static_type(ExprId id) const {
     case ExprKind::multiply:
     case ExprKind::divide:
       return Type::number;
-    case ExprKind::add:
-      return static_type(program_.children[n.children]);
+    case ExprKind::add: {
+      const auto left = static_type(program_.children[n.children]);
+      return left == static_type(program_.children[n.children + 1]) ? left : std::nullopt;
+    }
     case ExprKind::conditional:
       return static_type(program_.children[n.children + 1]);
     case ExprKind::parameter:
@@ -141,7 +143,10 @@ void Compiler::check_types() {
     const auto left = static_type(a), right = static_type(b);
     if (!left || !right) continue;
     attempt(program_.main_style, {}, [&] {
-      if (const auto wrong = operand_error(program_, n, *left, *right, a, b)) throw Failure(*wrong);
+      auto wrong = operand_error(program_, n, *left, *right, a, b);
+      if (!wrong) return;
+      for (const ExprId side : {a, b}) add_writer(*wrong, side);
+      throw Failure(std::move(*wrong));
     });
   }
   for (const Call& call : program_.calls) {
@@ -159,6 +164,7 @@ void Compiler::check_call_types(const Call& call) {
     const std::size_t known = std::min<std::size_t>(i, operation.count - 1u);
     const auto type = static_type(call.args[i].value);
     if (!type) continue;
+    refuse_later_word(call, known, call.args[i].value);
     std::optional<Type> wanted;
     switch (operation.parameters[known].type) {
       case ArgType::number:
@@ -175,19 +181,34 @@ void Compiler::check_call_types(const Call& call) {
         break;
     }
     if (!wanted || *wanted == *type) continue;
-    const Span at = program_.spans[call.args[i].value];
-    std::vector<Note> notes;
-    const ExprNode& n = program_.nodes[call.args[i].value];
-    if (n.kind == ExprKind::variable) {
-      notes.push_back({std::string(described(*type)) + " was written here",
-                       program_.spans[program_.variables[n.first].value]});
-    }
-    refuse(at,
-           "'" + std::string(operation.name) + "' expects " + std::string(described(*wanted)) +
-               " for '" + std::string(operation.parameter_name(known)) + "', not " +
-               std::string(described(*type)),
-           {}, std::move(notes));
+    Diagnostic d;
+    d.at = program_.spans[call.args[i].value];
+    d.text = "'" + std::string(operation.name) + "' expects " + std::string(described(*wanted)) +
+             " for '" + std::string(operation.parameter_name(known)) + "', not " +
+             std::string(described(*type));
+    add_writer(d, call.args[i].value);
+    throw Failure(std::move(d));
   }
+}
+
+/// Says where the value of a variable was written.
+void Compiler::add_writer(Diagnostic& d, ExprId id) const {
+  const ExprNode& n = program_.nodes[id];
+  const auto type = static_type(id);
+  if (n.kind != ExprKind::variable || !type) return;
+  d.notes.push_back({std::string(described(*type)) + " was written here",
+                     program_.spans[program_.variables[n.first].value]});
+}
+
+void Compiler::refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const {
+  const ExprNode& n = program_.nodes[id];
+  if (n.kind != ExprKind::constant || program_.constants[n.first].type != Type::string) return;
+  const std::string_view name = call.operation->parameter_name(parameter);
+  const std::string_view word = program_.constants[n.first].string();
+  if (!is_later_word(name, word)) return;
+  refuse(program_.spans[id], "'" + std::string(call.operation->name) + "' with " +
+                                 std::string(name) + " \"" + std::string(word) +
+                                 "\" comes with a later version of Mansard");
 }
 
 /// subdiv with sizes that are all single: as many as parts.

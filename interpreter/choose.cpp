@@ -66,6 +66,7 @@ void Machine::no_candidate(const RuleSet& rules, const Shape& shape) {
   }
   if (options.strict) {
     d.code = {};
+    production = nullptr;  // none was taken
     throw Failure(std::move(d));
   }
   d.severity = Severity::warning;

@@ -52,7 +52,11 @@ bool Compiler::run() {
   const auto number = style_number(main->name.text);
   if (!number) return false;
   program_.main_style = *number;
-  if (options_.all_styles) reach_all();
+  if (options_.all_styles) {
+    reach_all();
+  } else {
+    warn_no_start(program_.styles[*number], *main);
+  }
   while (!pending_.empty()) {
     const uint16_t next = pending_.back();
     pending_.pop_back();
@@ -343,6 +347,22 @@ void Compiler::warn_unguarded(uint16_t number) {
     d.help = "add a production with ': else'";
     diagnostics_.add(std::move(d));
   }
+}
+
+/// A style that is derived but leaves the footprint as it is; often its first symbol is misspelt.
+void Compiler::warn_no_start(const CompiledStyle& style, const syntax::Style& main) {
+  const LinkedStyle& linked = *style.linked;
+  if (linked.find_symbol(linked.start)) return;
+  std::vector<std::string_view> names;
+  for (const SymbolRules& rules : linked.symbols) names.push_back(rules.name);
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = "W005";
+  d.at = main.name.at;
+  d.text = "style '" + std::string(style.name) + "' has no rule for '" + std::string(linked.start) +
+           "', with which derivation begins";
+  d.help = meant(linked.start, names);
+  diagnostics_.add(std::move(d));
 }
 
 void Compiler::add_failure(Failure& failure, uint16_t style, std::string_view block) {

@@ -66,16 +66,21 @@ void Compiler::emit(const syntax::Emit& e, Span at, NameScope& scope, std::vecto
     steps.push_back(step);
     return;
   }
-  if (e.parts || (e.args && is_later_operation(e.name.text))) not_an_operation(e);
+  if (e.parts || (e.args && is_later_operation(e.name.text))) not_an_operation(e, scope.style);
   emit_symbol(e, at, scope, steps);
 }
 
-void Compiler::not_an_operation(const syntax::Emit& e) {
+void Compiler::not_an_operation(const syntax::Emit& e, uint16_t style) {
   const auto name = std::string(e.name.text);
   if (is_later_operation(e.name.text))
     refuse(e.name.at, "'" + name + "' comes with a later version of Mansard");
   std::vector<std::string_view> known;
   for (const Operation& o : operations()) known.push_back(o.name);
+  if (e.args) {  // or a symbol with parameters was meant
+    for (const SymbolRules& rules : program_.styles[style].linked->symbols) {
+      if (!rules.generations[0].productions[0]->params.empty()) known.push_back(rules.name);
+    }
+  }
   std::string help = meant(e.name.text, known);
   if (help.empty() && known_symbols_.contains(e.name.text) && !e.args)
     help = "only an operation takes { ... }; put the parts into a rule of '" + name + "'";
@@ -110,7 +115,7 @@ void Compiler::emit_symbol(const syntax::Emit& e, Span at, NameScope& scope,
   } else {
     const std::size_t given = e.args ? e.args->size() : 0;
     const std::size_t expected = rules ? rules->generations[0].productions[0]->params.size() : 0;
-    if (!rules && e.args) not_an_operation(e);
+    if (!rules && e.args) not_an_operation(e, scope.style);
     if (rules && given != expected) {
       refuse(e.args ? e.args_at : e.name.at,
              "'" + std::string(e.name.text) + "' takes " + count_text(expected, "argument") +

@@ -47,6 +47,7 @@ class Compiler {
   void apply_settings();
   void apply_setting(const std::string& name, const std::string& value);
   void warn_unguarded(uint16_t style);
+  void warn_no_start(const CompiledStyle& style, const syntax::Style& main);
 
   // symbols.cpp
   void collect_symbols();
@@ -79,7 +80,7 @@ class Compiler {
                       std::vector<Step>& steps);
   void arguments(const syntax::Emit& emit, NameScope& scope, Step& step);
   void branch(const syntax::If& chain, Span at, NameScope& scope, std::vector<Step>& steps);
-  [[noreturn]] void not_an_operation(const syntax::Emit& emit);
+  [[noreturn]] void not_an_operation(const syntax::Emit& emit, uint16_t style);
 
   // compile_call.cpp
   uint32_t operation_call(const Operation& operation, const syntax::Emit& emit, Span at,
@@ -116,6 +117,8 @@ class Compiler {
   void check_types();
   std::optional<Type> static_type(ExprId id) const;
   void check_call_types(const Call& call);
+  void add_writer(Diagnostic& d, ExprId id) const;
+  void refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const;
   void check_sizes(const Call& call);
 
   /// Runs f; a Failure becomes a diagnostic with a note of where we are.

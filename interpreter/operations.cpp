@@ -164,6 +164,18 @@ constexpr std::array<std::string_view, 13> later{
     "snap",     "occluder",  "stain",  "material", "uv",    "upright", "union",
     "subtract", "intersect", "layers", "relayout", "group", "nearest"};
 
+struct LaterWords {
+  std::string_view parameter;
+  std::array<std::string_view, 10> words;
+};
+constexpr std::array later_words{
+    LaterWords{"axis", {"XS", "YS", "ZS", "xs", "ys", "zs"}},
+    LaterWords{"corners", {"mitre"}},
+    LaterWords{"kind",
+               {"half_hip", "dutch_hip", "pyramid", "shed", "mansard", "gambrel", "saltbox",
+                "cross_gable", "sawtooth", "barrel"}},
+};
+
 }  // namespace
 
 std::span<const Operation> operations() { return rows; }
@@ -175,6 +187,13 @@ const Operation* find_operation(std::string_view name) {
 
 bool is_later_operation(std::string_view name) {
   return std::ranges::find(later, name) != later.end();
+}
+
+bool is_later_word(std::string_view parameter, std::string_view word) {
+  return std::ranges::any_of(later_words, [&](const LaterWords& later) {
+    return later.parameter == parameter && !word.empty() &&
+           std::ranges::find(later.words, word) != later.words.end();
+  });
 }
 
 }  // namespace mansard

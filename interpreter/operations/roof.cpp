@@ -15,15 +15,11 @@ namespace {
 
 constexpr std::array<std::string_view, 6> part_words{"slope",  "gable",  "top",
                                                      "soffit", "fascia", "parapet"};
-constexpr std::array<std::string_view, 10> later_kinds{
-    "half_hip", "dutch_hip", "pyramid",     "shed",     "mansard",
-    "gambrel",  "saltbox",   "cross_gable", "sawtooth", "barrel"};
-
 RoofKind kind_of(Context& c, std::string_view word) {
   if (word == "flat") return RoofKind::flat;
   if (word == "hip") return RoofKind::hip;
   if (word == "gable") return RoofKind::gable;
-  if (std::ranges::find(later_kinds, word) != later_kinds.end()) {
+  if (is_later_word("kind", word)) {
     c.fail(0, "roof kind \"" + std::string(word) + "\" comes with a later version",
            "this version has \"flat\", \"hip\" and \"gable\"");
   }

@@ -55,6 +55,9 @@ Direction direction_of(Context& c, const Value& axis) {
   if (axis.type != Type::string) c.wrong_type(0, axis, "\"X\", \"Y\", \"Z\" or an angle");
   const std::string_view word = axis.string();
   const char letter = word.size() == 1 ? static_cast<char>(word[0] & ~0x20) : '\0';
+  if (is_later_word("axis", word)) {
+    c.fail(0, "snapping with \"" + std::string(word) + "\" comes with a later version of Mansard");
+  }
   if (letter < 'X' || letter > 'Z') {
     c.fail(0, "\"" + std::string(word) + "\" is not an axis",
            "write \"X\", \"Y\", \"Z\" or an angle");
@@ -102,8 +105,9 @@ void check_size(Machine& machine, ExprId at, const Value& v, syntax::SizeKind ki
   if (v.number < 0) {
     Diagnostic d;
     d.at = machine.program.spans[at];
-    d.text = "a size can not be negative: '" + std::string(d.at.text()) + "' is " +
-             number_text(v.number);
+    const std::string number = number_text(v.number);
+    d.text = "a size can not be negative: " +
+             (d.at.text() == number ? number : "'" + std::string(d.at.text()) + "' is " + number);
     if (const Span written = machine.program.origin(v).at; written && !(written == d.at)) {
       d.notes.push_back({"it was written here", written});
     }
