@@ -9,11 +9,15 @@
 namespace mansard {
 namespace {
 
+/// A frame given within another one.
+Scope within(const Scope& outer, Vec3 origin, Vec3 x, Vec3 y, Vec3 z, Vec3 size) {
+  return {outer.at(origin), outer.direction(x), outer.direction(y), outer.direction(z), size};
+}
+
 /// The parent's attributes with another frame and no geometry yet.
-Shape piece_of(const Shape& parent, Vec3 origin, Vec3 x, Vec3 y, Vec3 z, Vec3 size) {
+Shape piece_of(const Shape& parent, const Scope& scope) {
   Shape piece = parent;
-  piece.scope = {parent.scope.at(origin), parent.scope.direction(x), parent.scope.direction(y),
-                 parent.scope.direction(z), size};
+  piece.scope = scope;
   piece.form = Form::rectangle;
   piece.ground = false;
   piece.geometry = Shape::none;
@@ -25,28 +29,29 @@ Shape piece_of(const Shape& parent, Vec3 origin, Vec3 x, Vec3 y, Vec3 z, Vec3 si
 
 }  // namespace
 
-Shape box_side(const Shape& box, int side) {
-  const auto [w, h, d] = box.scope.size;
-  const auto make = [&](Vec3 origin, Vec3 x, Vec3 y, Vec3 z, double width, double height) {
-    Shape face = piece_of(box, origin, x, y, z, {width, height, 0});
-    if (box.cuts & (1 << side)) face.tag.flags |= EdgeTag::cut;
-    return face;
-  };
+Scope box_side_scope(const Scope& box, int side) {
+  const auto [w, h, d] = box.size;
   constexpr Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   switch (side) {
     case 0:
-      return make({0, 0, d}, x, y, z, w, h);
+      return within(box, {0, 0, d}, x, y, z, {w, h, 0});
     case 1:
-      return make({w, 0, d}, -z, y, x, d, h);
+      return within(box, {w, 0, d}, -z, y, x, {d, h, 0});
     case 2:
-      return make({w, 0, 0}, -x, y, -z, w, h);
+      return within(box, {w, 0, 0}, -x, y, -z, {w, h, 0});
     case 3:
-      return make({0, 0, 0}, z, y, -x, d, h);
+      return within(box, {0, 0, 0}, z, y, -x, {d, h, 0});
     case 4:
-      return make({0, h, d}, x, -z, y, w, d);
+      return within(box, {0, h, d}, x, -z, y, {w, d, 0});
     default:
-      return make({0, 0, 0}, x, z, -y, w, d);
+      return within(box, {0, 0, 0}, x, z, -y, {w, d, 0});
   }
+}
+
+Shape box_side(const Shape& box, int side) {
+  Shape face = piece_of(box, box_side_scope(box.scope, side));
+  if (box.cuts & (1 << side)) face.tag.flags |= EdgeTag::cut;
+  return face;
 }
 
 double prism_height(const Shape& prism) {
@@ -70,7 +75,8 @@ Shape prism_wall(Machine& machine, const Shape& prism, uint32_t i) {
   const Vec2 along = normalized(to - from);
   const Vec3 x = map.direction(along), z = map.direction(left_of(along) * -1);
   const Vec3 y = prism.ground ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-  Shape wall = piece_of(prism, map(polygon.points[i], 0), x, y, z, {wide, prism_height(prism), 0});
+  const Vec3 size{wide, prism_height(prism), 0};
+  Shape wall = piece_of(prism, within(prism.scope, map(polygon.points[i], 0), x, y, z, size));
   wall.tag = polygon.tags[i];
   return wall;
 }
@@ -236,7 +242,8 @@ void push_edges(Machine& machine, const Shape& shape) {
   for_each_edge(outline, [&](uint32_t i, Vec2 from, Vec2 to) {
     const Vec2 along = normalized(to - from);
     const Vec3 x = map.direction(along), y = map.direction(left_of(along) * -1);
-    Shape edge = piece_of(shape, map(from, 0), x, y, cross(x, y), {length(to - from), 0, 0});
+    const Vec3 size{length(to - from), 0, 0};
+    Shape edge = piece_of(shape, within(shape.scope, map(from, 0), x, y, cross(x, y), size));
     edge.form = Form::line;
     edge.tag = outline.tags[i];
     machine.scratch_shapes.push_back(edge);

@@ -30,7 +30,8 @@ class PlaneMap {
   Vec2 scale_;
 };
 
-/// Side 0 to 5 (front, right, back, left, top, bottom) of a box as a rectangle.
+/// Side 0 to 5 (front, right, back, left, top, bottom) of a box: its frame, and it as a rectangle.
+Scope box_side_scope(const Scope& box, int side);
 Shape box_side(const Shape& box, int side);
 
 /// Height of a prism along the direction it was drawn.

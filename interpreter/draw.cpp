@@ -10,6 +10,8 @@ namespace {
 
 constexpr double thin = 1e-9;  ///< metres; faces thinner than this are no faces
 
+UvFrame own_frame(const Scope& scope) { return {scope.origin, scope.x, scope.y, scope.z}; }
+
 bool mirrored(const Scope& scope) { return dot(cross(scope.x, scope.y), scope.z) < 0; }
 
 }  // namespace
@@ -59,7 +61,7 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
     case Form::line:
       return;
     case Form::rectangle:
-      draw_rectangle(shape, look);
+      draw_rectangle(shape.scope, texture_frame(shape, shape.scope.z), look);
       break;
     case Form::polygon:
       draw_polygon(shape, look, 0, false);
@@ -101,7 +103,7 @@ UvFrame Machine::texture_frame(const Shape& shape, Vec3 normal) const {
     const UvFrame& wall = uv_frames[shape.uv_frame];
     if (std::abs(dot(wall.normal, normal)) > 0.7) return wall;
   }
-  return {shape.scope.origin, shape.scope.x, shape.scope.y, shape.scope.z};
+  return own_frame(shape.scope);
 }
 
 void Machine::push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame,
@@ -135,13 +137,12 @@ void Machine::push_polygon(std::span<const Vec3> loop, const Shape& shape, uint3
 }
 
 /// Most of what is ever drawn: the scope knows the normal.
-void Machine::draw_rectangle(const Shape& shape, uint32_t look) {
-  const Scope& s = shape.scope;
+void Machine::draw_rectangle(const Scope& s, const UvFrame& frame, uint32_t look) {
   if (s.size.x < thin || s.size.y < thin) return;
   const Vec3 right = s.x * s.size.x, up = s.y * s.size.y;
   std::array<Vec3, 4> loop{s.origin, s.origin + right, s.origin + right + up, s.origin + up};
   if (mirrored(s)) std::swap(loop[1], loop[3]);
-  push_face(loop, s.z, texture_frame(shape, s.z), look);
+  push_face(loop, s.z, frame, look);
 }
 
 /// `along` metres along the direction in which prisms are drawn.
@@ -171,13 +172,17 @@ void Machine::draw_polygon(const Shape& shape, uint32_t look, double along, bool
 void Machine::draw_box(const Shape& shape, uint32_t look) {
   for (int side = 0; side < 6; ++side) {
     if (shape.open & (1 << side)) continue;
-    draw_rectangle(box_side(shape, side), look);
+    const Scope face = box_side_scope(shape.scope, side);
+    draw_rectangle(face, own_frame(face), look);
   }
 }
 
 void Machine::draw_prism(const Shape& shape, uint32_t look) {
   const uint32_t walls = prism_walls(*this, shape);
-  for (uint32_t i = 0; i < walls; ++i) draw_rectangle(prism_wall(*this, shape, i), look);
+  for (uint32_t i = 0; i < walls; ++i) {
+    const Scope wall = prism_wall(*this, shape, i).scope;
+    draw_rectangle(wall, own_frame(wall), look);
+  }
   Shape cap = shape;
   cap.uv_frame = Shape::none;
   draw_polygon(cap, look, prism_height(shape), false);

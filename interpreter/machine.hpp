@@ -163,7 +163,7 @@ class Machine {
   double measure(Attribute which, const Shape& shape);
 
   // draw.cpp
-  void draw_rectangle(const Shape& shape, uint32_t look);
+  void draw_rectangle(const Scope& scope, const UvFrame& frame, uint32_t look);
   void draw_polygon(const Shape& shape, uint32_t look, double along, bool reversed);
   void draw_box(const Shape& shape, uint32_t look);
   void draw_prism(const Shape& shape, uint32_t look);
