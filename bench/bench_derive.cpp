@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "bench/workload.hpp"
 #include "formats/surface_writer.hpp"
@@ -35,10 +36,21 @@ struct Sums {
   }
 };
 
+/// Memory of this program that is in the machine's, in kB.
+double resident() {
+  std::ifstream file("/proc/self/statm");
+  double size = 0, pages = 0;
+  file >> size >> pages;
+  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1024;
+}
+
+/// After one round over the footprints memory is to stay as it is: `grown` kB is what it did.
 void derive(benchmark::State& state, Compiled& style, const std::vector<Footprint>& footprints) {
   Derivation derivation = style.derivation();
   Building building;
   Sums sums;
+  for (const Footprint& footprint : footprints) derivation.derive(footprint, building);
+  const double before = resident();
   for (auto _ : state) {
     for (const Footprint& footprint : footprints) {
       derivation.derive(footprint, building);
@@ -47,6 +59,7 @@ void derive(benchmark::State& state, Compiled& style, const std::vector<Footprin
     }
   }
   sums.report(state);
+  state.counters["grown"] = resident() - before;
 }
 
 /// The thesis's building: at least the vertices and operations that it is said to have.
