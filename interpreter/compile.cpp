@@ -72,7 +72,9 @@ bool Compiler::run() {
   }
   apply_settings();
   mark_settable();
+  const std::size_t errors = diagnostics_.errors();
   find_shape_readers();
+  if (diagnostics_.errors() > errors) return false;  // variables in a ring have no type
   fold_constants();
   check_types();
   return !diagnostics_.has_errors();
