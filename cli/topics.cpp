@@ -16,7 +16,8 @@ building and the variables that shape it.
   }
 
 A rule rewrites a symbol:  NAME(params)[index] : condition -> successor : probability
-See also: mansard help rules, sizes, variables, inheritance, attributes, frames)"},
+See also: mansard help rules, successors, sizes, selectors, variables, inheritance, elements,
+attributes, frames; docs/language.md is the whole of it.)"},
     Topic{
         "rules", "Rules and productions",
         R"(All productions of a symbol whose condition holds are candidates; one is drawn by its probability.
@@ -27,31 +28,76 @@ of the successor's first split would be cut.
   FACADE : fits -> subdiv("Y", 4, 1r) { SHOP | FLOORS }         : 0.3
   FACADE : else -> WALL
 
-A symbol without rules is a terminal and is drawn; NIL deletes. `super` goes on with the rule that this
-one overrides, Other::SYMBOL with the rules of another style, style(expr)::SYMBOL with a style by name.)"},
+A condition without `else` leaves what does not fit as a terminal, with a warning; --strict makes it an
+error. A symbol without rules is a terminal and is drawn; NIL deletes. Parameters are given in
+parentheses, FLOOR[2] in a head tests the index that FLOOR[split.index] sets, FLOOR[i] binds it.
+
+`super` goes on with the rule that this one overrides, Other::SYMBOL with the rules of another style,
+style(expr)::SYMBOL with a style by name.)"},
+    Topic{
+        "successors", "What stands right of the arrow",
+        R"(Operations and symbols, one after the other. An operation, written with (...) or { ... }, changes the
+current shape; a bare name is a symbol and emits a child. [ ... ] saves the shape and restores it.
+
+  FACADE -> [ t(0, 0, 0.02) subdiv("Y", 0.3, 1r) { PLINTH | NIL } ] WALL
+
+An operation with parts { A | B } gives each part a successor of its own; after the } the shape is what it
+was before. Parts go by place or by name: detrude(0.2) { inner : GLASS | reveal : STONE }.
+
+  FACADE -> if W > 9 { BRICK } else { RENDER })"},
     Topic{"sizes", "Sizes in splits",
           R"(  2.5      metres
   30%      of the scope
   1r       a share of what the others leave
-  ~1.2     wants 1.2 m and stretches with the other floats to fill
+  ~1.2     wants 1.2 m and stretches with the other floating sizes to fill; beside an r it only shrinks
 
-A list is spliced in: subdiv("Y", [3, 2.8, 2.8, 1r]) is not possible, but subdiv("Y", Storeys, 1r) with
-var Storeys = [3, 2.8, 2.8] is. One part for several sizes repeats: { FLOOR[split.index] }.)"},
+r and % stand against a number or a parenthesis: (Share)r. A list of metres is spliced in:
+subdiv("Y", Storeys, 1r) with var Storeys = [3, 2.8, 2.8]. One part for several sizes repeats:
+{ FLOOR[split.index] }. When there is too little room, sizes are cut at the end (W009).)"},
+    Topic{
+        "selectors", "The words of comp, and of edges",
+        R"(  side (facades, sidefaces)  front back left right  top bottom  vertical horizontal slanted
+  party    walls that touch a neighbour's footprint, within 5 cm
+  court    walls around a hole of the footprint
+  street   outer walls with no neighbour within 6 m before them; main is the longest of them
+  cut      faces that a split made
+  faces    all faces; edges and vertices are lines and points; all takes the rest
+  0 1 2    the component of that number
+
+The first part that selects a component gets it, the others are dropped:
+  comp { party : WALL | main : FRONT | side : FACADE | top : ROOF }
+offset, setback, chamfer and the gables of roof choose edges by the same words, or a list of them:
+  setback(3, ["street", "left"]) { HOUSE | GARDEN })"},
     Topic{
         "variables", "Variables, and where a value comes from",
         R"(Strongest first: --set Block.Name=v, set(Block.Name, v) on the shape or an ancestor, a footprint's
-property Block.Name, the most derived style, ... the base.
+property Block.Name (a bare Name for variables of the style only), the most derived style, ... the base.
 
   var Height = attr("height", 9)      reads a property of the footprint, with a default
   @per("shape") var Width = rand(1, 2)   drawn at each use; without @per once a building
 
-BUILDING_HEIGHT, BUILDING_LEVELS, BUILDING_NAME and BUILDING_USE are read from the usual properties.)"},
+A variable that reads the shape is evaluated at each use. Text such as 12.5 m or 40' reads as a number.
+BUILDING_HEIGHT, BUILDING_LEVELS, BUILDING_NAME and BUILDING_USE are read from height, min_height,
+building:levels, name, use and building.)"},
     Topic{"inheritance", "Styles that inherit",
           R"(  style Terrace : House, Sills { Tile { var WindowWidth = 1.2 } }
 
 Blocks of one name merge; variables override by name, rules by symbol; `replace Tile { ... }` drops what
 was inherited in that block. Expressions are late bound: an inherited expression that reads WindowWidth
-sees the child's. Parents are ordered as in Python (C3).)"},
+sees the child's. Parents are ordered as in Python (C3). `override` says that a parent must have the
+member, `final` that no child may; `abstract NAME` must be given by a child. In a mixin `super` goes on
+with the next style's rule of the symbol:
+
+  style Cornice { Facade { FACADE -> [ subdiv("Y", 1r, 0.3) { NIL | extrude(0.2) { LEDGE } } ] super } })"},
+    Topic{"elements", "Meshes and looks of terminals",
+          R"(  Elements  { WINDOW : "near.obj" "far.obj" : 0.7   "other.obj" : 0.3
+              DOOR + "door3.obj" : 0.1   remove LEDGE }
+  Materials { WALL : color("tan") : 0.6  texture("brick.png", 2, 1) : 0.4  per "building"
+              GLASS : color("#31434d") opacity(0.4) }
+
+A weight or a bar ends an alternative; : sets, + adds, - takes away. An element's meshes are its levels of
+detail, nearest first; a flat scope keeps the mesh's own depth. Looks are drawn per "shape", "building" or
+the nearest shape above of a symbol. See mansard help files for where meshes are looked for.)"},
     Topic{"attributes", "What an expression can read of a shape",
           R"(  W H D (= scope.sx, scope.sy, scope.sz)  scope.tx scope.ty scope.tz
   area volume perimeter inradius edges  is_rectangle is_convex is_planar
@@ -63,6 +109,36 @@ sees the child's. Parents are ordered as in Python (C3).)"},
         R"(Right-handed, metres, y up. A footprint: x along its first edge, y up, z outwards from it. A face made
 by comp, roof or detrude: x along its lowest edge, y up the face, z its outward normal; its size is
 W x H x 0. extrude goes up where the shape lies flat, else along z.)"},
+    Topic{"footprints", "What a building can stand on",
+          R"(A file, or a literal in metres:
+
+  rect:10x8        width and depth
+  L:12x9x5x4       width, depth, width and depth of the missing corner
+  T:14x10x4x6  U:14x10x6x5  ring:20x16x8x6  WKT:POLYGON((0 0, 10 0, 10 8, 0 8, 0 0))
+
+GeoJSON, Shapefile, GeoPackage, FlatGeobuf and OpenStreetMap files (of these the areas tagged building),
+and the faces of an OBJ. Degrees become metres about the middle of the set. --layer and --where choose
+what is read, --select id=ID and --limit N what is derived, --attr gives every footprint a property.
+
+The id is --id's property, else osm_id, the feature's id, id, or its place in the file; with --seed it
+decides every draw. Crossing rings are repaired with a note; what can not be repaired is an error, or left
+out under --keep-going.)"},
+    Topic{
+        "output", "What derive writes",
+        R"(An OBJ with its MTL beside it, textures copied beside them: an object o for each building, named by its
+id, a group g for each symbol, polygons as they are, with normals and texture coordinates. Metres, y up
+(--up z: z up); the first lines say which style, seed and origin. It appears whole or not at all.
+
+--lod 1 keeps the masses, 2 leaves out relief, 3 is everything. --report FILE.json has the counts and
+areas of every terminal and the sums of report(). The same inputs give the same bytes on any number of
+threads. Exit status: 0 done, 1 something in the input is wrong, 2 wrong usage, 3 an internal failure.)"},
+    Topic{
+        "files", "Where imports, meshes and textures are looked for",
+        R"(  import "parts.style"             beside the importing file, in --style-path, in the library
+  Elements { WINDOW : "w.mesh" }   the same places; then w.obj and w.glb; if missing, warning W008
+  insert("tree.obj"), texture("brick.png")   beside the script
+
+The library is share/mansard/styles beside an installed program, else styles/library of the sources.)"},
 };
 
 }  // namespace
