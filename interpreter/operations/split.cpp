@@ -55,10 +55,11 @@ Direction direction_of(Context& c, const Value& axis) {
   if (axis.type != Type::string) c.wrong_type(0, axis, "\"X\", \"Y\", \"Z\" or an angle");
   const std::string_view word = axis.string();
   const char letter = word.size() == 1 ? static_cast<char>(word[0] & ~0x20) : '\0';
-  if (is_later_word("axis", word)) {
-    c.fail(0, "snapping with \"" + std::string(word) + "\" comes with a later version of Mansard");
-  }
   if (letter < 'X' || letter > 'Z') {
+    if (is_later_word("axis", word)) {
+      c.fail(0,
+             "snapping with \"" + std::string(word) + "\" comes with a later version of Mansard");
+    }
     c.fail(0, "\"" + std::string(word) + "\" is not an axis",
            "write \"X\", \"Y\", \"Z\" or an angle");
   }
@@ -353,9 +354,10 @@ bool Machine::fits(uint32_t number, const Env& env) {
   const bool named = axis.type == Type::string && axis.size == 1;
   const double whole =
       named ? along(shape.scope.size, static_cast<Axis>((axis.text[0] & ~0x20) - 'X')) : 1e300;
-  double fixed = fixed_length(
-      *this, call.parts.empty() || !call.parts[0].labelled ? std::vector<CallPart>{} : call.parts,
-      env, whole);
+  double fixed = 0;
+  if (!call.parts.empty() && call.parts[0].labelled) {
+    fixed = fixed_length(*this, call.parts, env, whole);
+  }
   for (std::size_t i = 1; i < call.args.size(); ++i) {
     if (call.args[i].value != none && !(call.operation->parameters[i].optional)) {
       fixed += fixed_length(*this, call.args[i], env, whole);
