@@ -53,7 +53,7 @@ was before. Parts go by place or by name: detrude(0.2) { inner : GLASS | reveal 
 
 r and % stand against a number or a parenthesis: (Share)r. A list of metres is spliced in:
 subdiv("Y", Storeys, 1r) with var Storeys = [3, 2.8, 2.8]. One part for several sizes repeats:
-{ FLOOR[split.index] }. When there is too little room, sizes are cut at the end (W009).)"},
+{ FLOOR[split.index] }. When there is too little room, sizes are cut at the end, and counted.)"},
     Topic{
         "selectors", "The words of comp, and of edges",
         R"(  side (facades, sidefaces)  front back left right  top bottom  vertical horizontal slanted
