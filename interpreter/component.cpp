@@ -198,16 +198,16 @@ void push_faces(Machine& machine, const Shape& shape) {
       framed(cap);
       if (!(shape.open & side_bottom)) {
         const PooledPolygon& pooled = machine.polygon_of(shape);
-        Polygon turned = pooled.polygon;
-        mirror_u(turned);
         Shape base = cap;
         const double w = shape.scope.size.x;
         const double along = prism_height(shape);
         base.scope.origin = cap.scope.at({w, 0, -along});
         base.scope.x = -cap.scope.x;
         base.scope.z = -cap.scope.z;
+        Polygon& turned = machine.new_polygon(base);
+        turned = pooled.polygon;  // into the pool's memory
+        mirror_u(turned);
         translate(turned, {pooled.natural.x, 0});
-        machine.new_polygon(base) = std::move(turned);
         const_cast<PooledPolygon&>(machine.polygon_of(base)).natural = pooled.natural;
         framed(base);
       }

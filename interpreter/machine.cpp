@@ -59,6 +59,7 @@ void Machine::reset(const Footprint& input, Building& result) {
   uv_frames.clear();
   scratch_shapes.clear();
   scratch_sizes.clear();
+  scratch_counts.clear();
   std::fill(counts_.begin(), counts_.end(), Count{});
   expanding = none;
   production = nullptr;

@@ -107,9 +107,10 @@ class Machine {
   uint32_t expanding = none;               ///< node being derived
   std::vector<SettingEntry> settings;
   std::vector<UvFrame> uv_frames;
-  std::vector<Shape> scratch_shapes;   ///< a stack: users shrink it back
-  std::vector<double> scratch_sizes;   ///< likewise
-  std::vector<SizeValue> size_values;  ///< of the split being solved
+  std::vector<Shape> scratch_shapes;     ///< a stack: users shrink it back
+  std::vector<double> scratch_sizes;     ///< likewise
+  std::vector<uint32_t> scratch_counts;  ///< likewise
+  std::vector<SizeValue> size_values;    ///< of the split being solved
   double base_elevation = 0;
 
   /// Holds a number of levels of evaluation; too many are an error of the style's.

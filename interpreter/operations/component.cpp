@@ -16,41 +16,45 @@ bool label_selects(const CallPart& part, double number, const Shape& face, const
   return number == static_cast<double>(i);
 }
 
-struct Choice {
-  std::size_t part;
-  uint32_t count = 0;  ///< components that came to it
-};
-
-/// Gives each face to the first part that selects it.
+/// Gives each face to the first part that selects it. The numbers of parts, how many components
+/// came to each part and which part each component goes to lie above what the shapes around keep.
 void distribute(Context& c, std::size_t first, std::optional<Selector> single) {
   auto& faces = c.machine.scratch_shapes;
-  const std::size_t n = faces.size() - first;
-  std::vector<double> numbers(c.call.parts.size(), -1);
-  for (std::size_t p = 0; p < numbers.size(); ++p) {
-    if (c.call.parts[p].labelled && c.call.parts[p].name == none) {
-      numbers[p] = c.machine.number(c.call.parts[p].size.value, c.env);
-    }
+  auto& numbers = c.machine.scratch_sizes;
+  auto& counts = c.machine.scratch_counts;
+  const std::size_t n = faces.size() - first, parts = c.call.parts.size();
+  const std::size_t number = numbers.size(), count = counts.size(), chosen = count + parts;
+  numbers.resize(number + parts, -1);
+  counts.resize(chosen, 0);
+  counts.resize(chosen + n, none);
+  for (std::size_t p = 0; p < parts; ++p) {
+    const CallPart& part = c.call.parts[p];
+    if (part.labelled && part.name == none)
+      numbers[number + p] = c.machine.number(part.size.value, c.env);
   }
-  std::vector<uint32_t> counts(c.call.parts.size(), 0), chosen(n, none);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t p = 0; p < counts.size() && chosen[i] == none; ++p) {
-      const bool yes =
-          single ? selects(*single, faces[first + i], c.shape)
-                 : label_selects(c.call.parts[p], numbers[p], faces[first + i], c.shape, i);
+    for (std::size_t p = 0; p < parts && counts[chosen + i] == none; ++p) {
+      const Shape& face = faces[first + i];
+      const bool yes = single
+                           ? selects(*single, face, c.shape)
+                           : label_selects(c.call.parts[p], numbers[number + p], face, c.shape, i);
       if (!yes) continue;
-      chosen[i] = static_cast<uint32_t>(p);
-      faces[first + i].comp_index = counts[p]++;
+      counts[chosen + i] = static_cast<uint32_t>(p);
+      faces[first + i].comp_index = counts[count + p]++;
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    if (chosen[i] == none) continue;
+    const uint32_t part = counts[chosen + i];
+    if (part == none) continue;
     Shape piece = faces[first + i];
-    piece.comp_count = counts[chosen[i]];
-    piece.comp_name = single ? static_cast<uint32_t>(*single) + 1 : c.call.parts[chosen[i]].name;
+    piece.comp_count = counts[count + part];
+    piece.comp_name = single ? static_cast<uint32_t>(*single) + 1 : c.call.parts[part].name;
     piece.index = c.shape.index;
-    c.go_on(c.call.parts[chosen[i]], piece.comp_index, piece);
+    c.go_on(c.call.parts[part], piece.comp_index, piece);
   }
   faces.resize(first);
+  numbers.resize(number);
+  counts.resize(count);
 }
 
 bool is_line_selector(const CallPart& part, Selector which) {

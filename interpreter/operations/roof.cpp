@@ -41,8 +41,7 @@ double in_range(Context& c, std::size_t i, std::optional<double> given, double f
   return *given;
 }
 
-/// The plan of a shape that lies flat, in its plane.
-Polygon flat_plan(Context& c) {
+void need_lying(Context& c) {
   const bool flat = c.shape.form == Form::rectangle || c.shape.form == Form::polygon;
   const bool lies = c.shape.ground || c.shape.scope.z.y > 0.999;
   if (!flat || !lies) {
@@ -51,6 +50,11 @@ Polygon flat_plan(Context& c) {
                        std::string(flat ? "stands or slopes" : "is a solid or has no surface"),
                    "take the top first: comp { top : ROOF }");
   }
+}
+
+/// The plan of a shape that lies flat, in its plane.
+Polygon flat_plan(Context& c) {
+  need_lying(c);
   if (c.shape.form == Form::rectangle) {
     Polygon plan = rectangle(c.shape.scope.size.x, c.shape.scope.size.y);
     return plan;
@@ -92,6 +96,16 @@ void give_faces(Context& c, const Roof& roof) {
     Shape piece = face_of(c.machine, c.shape, loop, holes, face.tag);
     c.named_part(part, piece);
   }
+}
+
+/// A flat roof without edges of its own is the shape itself.
+void give_flat(Context& c) {
+  need_lying(c);
+  constexpr auto top = static_cast<std::size_t>(RoofPart::top);
+  if (!c.wants(top)) return warn_unnamed(c, RoofPart::top);
+  Shape piece = c.shape.ground ? lying_face(c.shape) : c.shape;
+  piece.cuts = piece.open = 0;
+  c.named_part(top, piece);
 }
 
 /// All faces as one mesh that goes on as the shape.
@@ -147,6 +161,8 @@ void roof(Context& c, std::string_view kind, std::optional<double> pitch,
   options.height = in_range(c, 3, height, 0, 0, 1000);
   options.parapet = in_range(c, 5, parapet, 0, 0, 100);
   options.thickness = in_range(c, 6, thickness, options.thickness, 0.001, 10);
+  const bool bare = options.kind == RoofKind::flat && options.overhang == 0 && options.parapet == 0;
+  if (bare && c.has_parts()) return give_flat(c);
   const Polygon plan = flat_plan(c);
   if (gables) {
     const auto chosen = std::make_shared<std::vector<bool>>(chosen_edges(c, 4, *gables, plan));

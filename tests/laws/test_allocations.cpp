@@ -1,0 +1,81 @@
+// After the first few buildings a derivation asks the heap for nothing.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "tests/laws/derive.hpp"
+
+namespace {
+thread_local bool counting = false;
+thread_local std::size_t allocations = 0;
+
+void* counted(std::size_t bytes) {
+  if (counting) ++allocations;
+  if (void* const p = std::malloc(bytes == 0 ? 1 : bytes)) return p;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes); }
+void* operator new[](std::size_t bytes) { return counted(bytes); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+
+namespace {
+
+using namespace mansard;
+using namespace mansard::test;
+
+/// Heap calls while buildings `from` to 100 are derived, one after the other.
+std::size_t heap_calls(const Script& script, std::size_t from) {
+  const Footprint on = footprint("rect:10x8");
+  Derivation derivation(script.program(), script.meshes(), {});
+  Building building;
+  for (std::size_t i = 0; i < 100; ++i) {
+    if (i == from) {
+      allocations = 0;
+      counting = true;
+    }
+    derivation.derive(on, building);
+  }
+  counting = false;
+  return allocations;
+}
+
+}  // namespace
+
+TEST_CASE("heap calls are counted") {
+  counting = true;
+  allocations = 0;
+  { const std::vector<int> some(100); }
+  counting = false;
+  CHECK(allocations == 1);
+}
+
+TEST_CASE("the facade box needs no heap after the first few") {
+  CHECK(heap_calls(Script::file("bench/facade_box.style"), 20) == 0);
+}
+
+TEST_CASE("guards, indices, drawn sizes and reports need no heap") {
+  CHECK(heap_calls(Script::text(R"(style A {
+    var Floor = 3   def half(x) = x / 2
+    Mass  { FOOTPRINT -> extrude(12) { BOX }   BOX -> comp { front : FACADE | side : FACADE | top : roof("flat") { top : DECK } } }
+    Facade {
+        FACADE : H > Floor + 1 -> subdiv("Y", Floor, 1r) { FLOOR[0] | FLOORS } : 2
+        FACADE : else -> WALL
+        FLOORS -> repeat("Y", Floor) { set(Tile.Width, half(W) / 3) FLOOR[split.index] }
+        FLOOR[0] -> repeat("X", 2.5) { Cell(split.index) }
+        FLOOR : fits -> subdiv("X", 0.5, 1r, 0.5) { WALL | repeat("X", 2) { TILE } | WALL }
+    }
+    Tile {
+        var Width = 1
+        Cell(n) : n > 1 -> WALL   Cell(n) : else -> TILE
+        TILE -> if Width > 0.2 { color("red") subdiv("X", 1r, 0.5 + rand(0, 0.1), 1r) { WALL | [ t(0, 0, 0.1) TRIM ] WINDOW | WALL } } else { WALL }
+    }
+    Materials { WALL : color("#a08070") : 0.5  color("#b09080") : 0.5 }
+})"),
+                   20) == 0);
+}
