@@ -1,0 +1,212 @@
+// How the program behaves as a program: exit statuses, help, JSON, files, start-up time.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "interpreter/function.hpp"
+#include "interpreter/operation.hpp"
+#include "tests/cli/run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using mansard::test::contents;
+using mansard::test::Run;
+using mansard::test::run;
+using mansard::test::TemporaryFolder;
+using nlohmann::json;
+
+const std::string root = MANSARD_ROOT;
+const std::string box = root + "/bench/facade_box.style";
+const std::string listings = root + "/styles/library/listings.style";
+
+std::string written(const TemporaryFolder& folder, const std::string& name, const char* text) {
+  std::ofstream(folder / name) << text;
+  return folder / name;
+}
+
+std::size_t files_in(const TemporaryFolder& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), {}));
+}
+
+}  // namespace
+
+TEST_CASE("exit statuses: 0 done, 1 wrong input, 2 wrong usage") {
+  const TemporaryFolder folder;
+  const std::string bad =
+      written(folder, "bad.style", "style A { Plot { FOOTPRINT -> extrud(3) A } }");
+  CHECK(run({}).status == 0);
+  CHECK(run({"help"}).status == 0);
+  CHECK(run({"--version"}).status == 0);
+  CHECK(run({"derive", "--help"}).status == 0);
+  CHECK(run({"check", box}).status == 0);
+  CHECK(run({"check", bad}).status == 1);
+  CHECK(run({"check", folder / "none.style"}).status == 1);
+  CHECK(run({"check"}).status == 2);
+  CHECK(run({"chek", box}).status == 2);
+  CHECK(run({"check", box, "--what"}).status == 2);
+  CHECK(run({"derive", box}).status == 2);
+  CHECK(run({"derive", box, "rect:10x8"}).status == 2);  // no -o
+  CHECK(run({"derive", box, "rect:10x8", "-o", folder / "model.stl"}).status == 2);
+  CHECK(run({"derive", box, "rect:10x8", "-o", folder / "model.obj", "--up", "x"}).status == 2);
+  CHECK(run({"derive", bad, "rect:10x8", "-o", folder / "model.obj"}).status == 1);
+  CHECK(run({"tree", box, "rect:10by8"}).status == 1);
+  CHECK(run({"tree", box, "rect:10x8", "--symbol", "NOTHING"}).status == 1);
+  CHECK(run({"help", "nonsense"}).status != 0);
+}
+
+TEST_CASE("a model appears whole or not at all") {
+  const TemporaryFolder folder;
+  const std::string fails = written(folder, "fails.style",
+                                    "style A { Plot { FOOTPRINT : area > 50 -> fail(\"too large\") "
+                                    "  FOOTPRINT : else -> PLOT } }");
+  const std::string plots =
+      "WKT:MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0)),((10 0,30 0,30 9,10 9,10 0)))";
+  const std::string model = folder / "model.obj";
+  const Run all = run({"derive", fails, plots, "-o", model});
+  CHECK(all.status == 1);
+  CHECK(files_in(folder) == 1);
+  written(folder, "model.obj", "what was here before");
+  CHECK(run({"derive", fails, plots, "-o", model}).status == 1);
+  CHECK(contents(model) == "what was here before");
+  CHECK(files_in(folder) == 2);
+  const Run going = run(
+      {"derive", fails, plots, "-o", model, "--keep-going", "--report", folder / "report.json"});
+  CHECK(going.status == 1);
+  CHECK(going.err.find("too large") != std::string::npos);
+  const json report = json::parse(contents(folder / "report.json"));
+  CHECK(report["buildings"] == 1);
+  CHECK(report["failed"].size() == 1);
+  CHECK(contents(model).find("f ") != std::string::npos);
+  CHECK(run({"derive", box, "rect:10x8", "-o", folder / "no/such/folder/model.obj"}).status == 1);
+}
+
+TEST_CASE("results go where -o says and nowhere else") {
+  const TemporaryFolder folder;
+  const Run derive = run({"derive", box, "rect:10x8", "-o", folder / "model.obj"});
+  CHECK(derive.status == 0);
+  CHECK(derive.out.empty());
+  CHECK(files_in(folder) == 2);  // and its .mtl
+  CHECK(run({"derive", box, "rect:10x8", "-o", folder / "model.obj", "--quiet"}).err.empty());
+}
+
+TEST_CASE("the same bytes on one thread and on two") {
+  const TemporaryFolder folder;
+  const std::string quarter = root + "/examples/quarter/";
+  const auto derive = [&](const std::string& name, const std::string& threads) {
+    CHECK(run({"derive", quarter + "quarter.style", quarter + "footprints.geojson", "--threads",
+               threads, "--limit", "40", "--quiet", "--seed", "3", "-o", folder / name})
+              .status == 0);
+    std::string text = contents(folder / name);
+    return text.substr(
+        std::min(text.find("\no "), text.size()));  // after the head with its own name
+  };
+  const std::string one = derive("one.obj", "1"), two = derive("two.obj", "2");
+  CHECK(one.size() > 100'000);
+  CHECK(one == two);
+  CHECK(one == derive("again.obj", "1"));
+}
+
+TEST_CASE("the report's numbers agree with each other") {
+  const TemporaryFolder folder;
+  REQUIRE(run({"derive", box, "rect:10x8", "-o", folder / "model.obj", "--report",
+               folder / "report.json"})
+              .status == 0);
+  const json report = json::parse(contents(folder / "report.json"));
+  CHECK(report["buildings"] == 1);
+  CHECK(report["failed"].empty());
+  CHECK(report["polygons"] > 600);
+  CHECK(report["vertices"] == 4 * report["polygons"].get<int>());
+  CHECK(report["shapes"] > 650);
+  CHECK(report["seconds"] > 0);
+  std::size_t terminals = 0;
+  double area = 0;
+  for (const auto& [symbol, is] : report["terminals"].items()) {
+    terminals += is["count"].get<std::size_t>();
+    area += is["area"].get<double>();
+  }
+  CHECK(terminals == report["polygons"]);  // every terminal is one rectangle here
+  const double windows = report["terminals"]["WINDOW"]["count"];
+  CHECK(area == doctest::Approx(80 + 36 * 12 + windows * 2 * 0.1 * (0.75 + 1.5)));
+  std::istringstream model(contents(folder / "model.obj"));
+  std::size_t faces = 0;
+  for (std::string line; std::getline(model, line);) faces += line.starts_with("f ");
+  CHECK(faces == report["polygons"]);
+}
+
+TEST_CASE("diagnostics are JSON for machines") {
+  const TemporaryFolder folder;
+  const std::string bad = written(
+      folder, "bad.style",
+      "style A { Plot { FOOTPRINT -> extrud(3) A\n A -> subdiv(\"X\", 1, 1r) { B | B | B } } }");
+  const Run check = run({"check", bad, "--json"});
+  CHECK(check.status == 1);
+  std::istringstream lines(check.err + check.out);
+  std::size_t errors = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json diagnostic = json::parse(line, nullptr, false);
+    REQUIRE_MESSAGE(!diagnostic.is_discarded(), line);
+    errors += diagnostic["severity"] == "error";
+  }
+  CHECK(errors == 2);
+}
+
+TEST_CASE("the tree as JSON and as a graph") {
+  const Run tree = run({"tree", listings, "rect:10x8", "--attr", "height=5", "--json"});
+  REQUIRE(tree.status == 0);
+  const json nodes = json::parse(tree.out);
+  CHECK(nodes[0]["symbol"] == "FOOTPRINT");
+  CHECK(nodes[0]["parent"].is_null());
+  CHECK(nodes[1]["symbol"] == "BuildingVol");
+  CHECK(nodes[1]["size"][1] == 5);
+  std::size_t terminals = 0;
+  for (const json& node : nodes) terminals += node["terminal"].get<bool>();
+  CHECK(terminals > 500);
+  const Run graph = run({"tree", box, "rect:10x8", "--dot", "--depth", "3"});
+  CHECK(graph.out.starts_with("digraph"));
+  CHECK(graph.out.find("n0 -> n1") != std::string::npos);
+  CHECK(std::ranges::count(graph.out, '{') == std::ranges::count(graph.out, '}'));
+  const Run text = run({"tree", box, "rect:10x8", "--symbol", "FLOORS", "--depth", "1"});
+  CHECK(text.out ==
+        "FLOORS  10 x 9 x 0\nFLOORS  8 x 9 x 0\nFLOORS  10 x 9 x 0\nFLOORS  8 x 9 x 0\n");
+}
+
+TEST_CASE("help knows every command, operation, function and topic") {
+  std::vector<std::string> words{"derive",     "check",     "tree",     "render", "help",
+                                 "operations", "functions", "warnings", "W001"};
+  for (const mansard::Operation& o : mansard::operations()) words.emplace_back(o.name);
+  for (const mansard::Function& f : mansard::functions()) words.emplace_back(f.name);
+  const std::string overview = run({"help"}).out;
+  std::istringstream topics(overview.substr(overview.find("Topics: ") + 8));
+  for (std::string topic; topics >> topic && topic != "mansard";) words.push_back(topic);
+  CHECK(words.size() > 70);
+  for (const std::string& word : words) {
+    CAPTURE(word);
+    const Run help = run({"help", word});
+    CHECK(help.status == 0);
+    CHECK(help.err.empty());
+    CHECK(help.out.size() > 40);
+  }
+  const json all = json::parse(run({"help", "--json"}).out, nullptr, false);
+  CHECK_FALSE(all.is_discarded());
+}
+
+TEST_CASE("check starts in under 10 ms") {
+  std::vector<double> times;
+  for (int i = 0; i < 9; ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    CHECK(run({"check", listings}).status == 0);
+    times.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun)
+            .count());
+  }
+  std::ranges::sort(times);
+  MESSAGE("median ", times[4], " ms");
+#if !defined(__SANITIZE_ADDRESS__)
+  CHECK(times[4] < 3 * 10);  // on a machine that does other things too
+#endif
+}
