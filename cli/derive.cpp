@@ -122,8 +122,10 @@ int run_derive(const Arguments& arguments) {
   Session session(arguments);
   Job job{session, arguments, output_of(arguments)};
   up_of(arguments);
-  if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
-  return derive(job);
+  return session.guard([&]() -> int {
+    if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
+    return derive(job);
+  });
 }
 
 }  // namespace mansard

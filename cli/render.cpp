@@ -81,6 +81,27 @@ std::optional<std::size_t> add_derivation(Session& session, const Arguments& arg
   return failed + totals.failed;
 }
 
+int draw(Session& session, const Arguments& arguments, const PictureOptions& options,
+         const std::string& out) {
+  Scene scene;
+  std::size_t failed = 0;
+  if (arguments.positional().size() == 2) {
+    const auto result = add_derivation(session, arguments, scene);
+    if (!result) return exit_input;
+    failed = *result;
+  } else {
+    add_model(arguments.positional()[0], scene);
+  }
+  if (!write_png(render(scene, options), out)) {
+    Diagnostic d;
+    d.text = "can not write '" + out + "'";
+    d.help = "is there such a folder, and room on the disk?";
+    throw Failure(std::move(d));
+  }
+  session.say("picture: " + out);
+  return failed > 0 ? exit_input : exit_done;
+}
+
 }  // namespace
 
 int run_render(const Arguments& arguments) {
@@ -95,23 +116,7 @@ int run_render(const Arguments& arguments) {
         "PICTURE.png");
   }
   Session session(arguments);
-  Scene scene;
-  std::size_t failed = 0;
-  if (is_style) {
-    const auto result = add_derivation(session, arguments, scene);
-    if (!result) return exit_input;
-    failed = *result;
-  } else {
-    add_model(arguments.positional()[0], scene);
-  }
-  if (!write_png(render(scene, options), *out)) {
-    Diagnostic d;
-    d.text = "can not write '" + *out + "'";
-    d.help = "is there such a folder, and room on the disk?";
-    throw Failure(std::move(d));
-  }
-  session.say("picture: " + *out);
-  return failed > 0 ? exit_input : exit_done;
+  return session.guard([&] { return draw(session, arguments, options, *out); });
 }
 
 }  // namespace mansard

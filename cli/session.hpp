@@ -40,6 +40,16 @@ class Session {
 
   /// To standard error: text, or a JSON object a line with --json.
   void print(const Diagnostic& diagnostic) const;
+  /// f's exit status; a Failure is printed while the sources it points into are still there.
+  template <class F>
+  int guard(F f) const {
+    try {
+      return f();
+    } catch (const Failure& failure) {
+      print(failure.diagnostic);
+      return exit_input;
+    }
+  }
   void say(const std::string& line) const;  ///< unless --quiet
   bool quiet() const { return quiet_; }
 

@@ -118,10 +118,7 @@ std::vector<uint32_t> roots_of(const Tree& tree, const std::string& symbol) {
   return roots;
 }
 
-}  // namespace
-
-int run_tree(const Arguments& arguments) {
-  Session session(arguments);
+int tree(Session& session, const Arguments& arguments) {
   if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
   std::size_t broken = 0;
   const FootprintSet set = footprints(session, arguments.positional()[1], arguments, broken);
@@ -160,6 +157,13 @@ int run_tree(const Arguments& arguments) {
     for (const uint32_t root : roots) print_text(tree, root);
   }
   return exit_done;
+}
+
+}  // namespace
+
+int run_tree(const Arguments& arguments) {
+  Session session(arguments);
+  return session.guard([&] { return tree(session, arguments); });
 }
 
 }  // namespace mansard

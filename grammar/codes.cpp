@@ -48,28 +48,13 @@ that first gave them, and 'replace' of that block would not reach them.
 
 Move the rule into the block of the same name.)"},
     CodePage{
-        "W005", "A symbol or an element is never reached.",
-        R"(No chain of rules leads from the start symbol to it, so its rules or its meshes are never used.
-Often a name is misspelt on one of its sides.
+        "W005", "A style has no rule for the symbol with which derivation begins.",
+        R"(A derivation begins at FOOTPRINT, or at what the style's 'start' names. Without a rule for it the
+footprint itself is all that is drawn. Often the name is misspelt.
 
-    Tile     { TILE -> WINDOW }
-    Elements { WINDWO : "window.obj" }
+    style Hut { Mass { FOOTPRNT -> extrude(3) } }
 
-Correct the name, or remove what is not used.)"},
-    CodePage{
-        "W006", "A variable is never read.",
-        R"(Changing it changes nothing. Often a rule still holds the number that the variable was made for.
-
-    Tile { var WindowWidth = 0.9   TILE -> subdiv("X", 1r, 1.2, 1r) { WALL | WINDOW | WALL } }
-
-Use it, or remove it. A variable that only derived styles read can be allowed on its line.)"},
-    CodePage{"W007", "A production can never be chosen.",
-             R"(Its probability is zero, or rules before it are always candidates.
-
-    FACADE         -> WALL
-    FACADE : else  -> subdiv("Y", 3, 1r) { GROUND_FLOOR | UPPER_FLOORS }     // the first always is
-
-Give the first a condition, or remove the second.)"},
+Give the symbol a rule, or say: start NAME)"},
     CodePage{
         "W008", "The mesh of an element is missing.",
         R"(The file was looked for beside the script that names it, in the style path and in the library, and
@@ -78,14 +63,6 @@ under the same name with the endings .obj and .glb. Shapes of the symbol stay pl
     Elements { WINDOW : "sash_window.obj" }
 
 Correct the path, or add its folder with --style-path.)"},
-    CodePage{
-        "W009", "Sizes did not fit: parts were cut or left out.",
-        R"(The fixed sizes of a split are longer than its shape. They are cut at the end, and parts wholly
-outside are not made; or one split made more parts than a facade can have.
-
-    TILE -> subdiv("X", 1r, 1.2, 1r) { WALL | WINDOW | WALL }       // on a tile 0.8 m wide
-
-Guard the rule with 'fits', give an 'else', or use floating sizes (~1.2).)"},
     CodePage{
         "W010", "No production was a candidate: the shape stays a terminal.",
         R"(Every rule of the symbol has a condition and none of them held for this shape. It is said once a
@@ -100,7 +77,7 @@ Add FLOOR : else -> WALL, or whatever a narrow floor should be.)"},
 
     ROOF -> roof("gable", 38) { slope : SLATE }            // and the gables?
 
-Name the part, send it to NIL when it should be open, or use 'all' for the rest:
+Name the part, or send it to NIL when it should be open:
 
     ROOF -> roof("gable", 38) { slope : SLATE | gable : WALL | soffit : TIMBER })"},
     CodePage{
@@ -111,6 +88,15 @@ no number with a unit, so the default was taken.
     height = "about 12"                                    // understood: 12, 12.5 m, 40'
 
 Correct the data, or read it as text: attr("height", "").)"},
+    CodePage{
+        "W013", "The sizes of a split leave a gap.",
+        R"(All sizes are fixed and their sum is less than the scope, so a strip of the wall stays open.
+
+    FLOOR -> subdiv("X", 1, 2) { WALL | TILE }             // and the rest?
+
+Let one size take what is left:
+
+    FLOOR -> subdiv("X", 1, 2, 1r) { WALL | TILE | WALL })"},
 };
 
 }  // namespace

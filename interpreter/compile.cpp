@@ -40,6 +40,7 @@ Compiler::Compiler(Program& program, Library& library, MeshSource& meshes,
       meshes_(meshes),
       options_(options),
       diagnostics_(diagnostics) {
+  program_.mesh_folders = library_.style_path();
   program_.symbols.intern("NIL");
   for (const std::string_view word : selector_words) program_.symbols.intern(word);
   program_.materials.push_back({"plain", {0.8, 0.8, 0.8}, 1, {}, {1, 1}});
@@ -116,7 +117,7 @@ std::optional<uint16_t> Compiler::style_number(std::string_view name) {
   style.start = program_.symbols.intern(kept.start);
   program_.style_numbers.emplace(style.name, number);
   for (const Diagnostic& missing : kept.missing) {
-    if (!options_.all_styles || syntax == library_.default_style()) diagnostics_.add(missing);
+    if (!options_.all_styles) diagnostics_.add(missing);  // check is content with abstract styles
   }
   pending_.push_back(number);
   declare_rules(number);

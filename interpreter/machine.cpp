@@ -309,6 +309,7 @@ void Machine::finish(Shape& shape) {
 
 void Machine::finish_early(Shape& piece) {
   ++emitted;
+  ++building->shapes;
   ++building->terminals[piece.symbol];
   draw(piece, piece.symbol);
   piece.form = Form::nothing;

@@ -216,8 +216,9 @@ struct CompiledStyle {
 };
 
 struct Program {
-  Names symbols;     ///< also names of parts
-  Names properties;  ///< names that attr() and variables read
+  std::vector<std::string> mesh_folders;  ///< where insert() looks after the script's own folder
+  Names symbols;                          ///< also names of parts
+  Names properties;                       ///< names that attr() and variables read
   std::vector<uint64_t> symbol_hashes;
 
   std::vector<CompiledStyle> styles;

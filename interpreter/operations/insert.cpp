@@ -33,6 +33,20 @@ void need_size(Context& c) {
                  "give it a size first: s(1, 1, 1)");
 }
 
+/// Beside the script, then on the style path. `problem` is that of the first place.
+const Mesh* find_mesh(Context& c, const std::string& path, std::string& problem) {
+  const std::string folder = Library::folder_of(c.call.at);
+  const bool absolute = path.starts_with('/');
+  const std::string beside = absolute || folder.empty() ? path : folder + "/" + path;
+  if (const Mesh* mesh = c.machine.mesh_source.mesh(beside, problem)) return mesh;
+  if (absolute) return nullptr;
+  for (const std::string& other : c.machine.program.mesh_folders) {
+    std::string elsewhere;
+    if (const Mesh* mesh = c.machine.mesh_source.mesh(other + "/" + path, elsewhere)) return mesh;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 namespace operation {
@@ -43,10 +57,8 @@ void insert(Context& c, std::string_view path, std::optional<std::string_view> f
     c.fail(1, "\"" + std::string(mode) + "\" is no way to fit a mesh",
            "\"fit\", \"keep\" or \"keep_ratio\"");
   }
-  std::string full(path), problem;
-  const std::string folder = Library::folder_of(c.call.at);
-  if (!path.starts_with('/') && !folder.empty()) full = folder + "/" + full;
-  const Mesh* const mesh = c.machine.mesh_source.mesh(full, problem);
+  std::string problem;
+  const Mesh* const mesh = find_mesh(c, std::string(path), problem);
   if (!mesh) c.fail(0, "mesh \"" + std::string(path) + "\" can not be read: " + problem);
   Shape& shape = c.shape;
   shape.geometry = c.machine.borrow_mesh(*mesh);
