@@ -123,6 +123,10 @@ TEST_CASE("masses over any plan are closed") {
   const char* const successors[] = {
       "extrude(6) MASS",
       "extrude(6) comp { all : FACE }",
+      // Off the ground the base must close it too.
+      "t(0, 2, 0) extrude(6) comp { all : FACE }",
+      "t(0, 2, 0) extrude(6) MASS",
+      "t(0, 2, 0) extrude(6) subdiv(\"Z\", 2.9, 1r) { comp { all : FACE } | MASS }",
       "extrude(6) mirror(\"x\") comp { all : FACE }",
       "extrude(6) comp { side : repeat(\"X\", 2) { detrude(0.2) { IN | REVEAL } } | top : FACE }",
       "extrude(6) comp { side : repeat(\"X\", 2) { extrude(0.2) { OUT } } | top : FACE }",

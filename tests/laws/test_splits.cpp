@@ -1,10 +1,12 @@
 // Parts add up to the whole, over random sizes and shapes.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <sstream>
 
+#include "interpreter/sizes.hpp"
 #include "tests/laws/derive.hpp"
 
 namespace {
@@ -60,6 +62,43 @@ TEST_CASE("the parts of a subdiv add up to the scope") {
     double sum = 0;
     for (const TreeNode& node : building.tree) sum += node.terminal ? extent(node, axis) : 0;
     CHECK(std::abs(sum - width) < 1e-9);
+  }
+}
+
+TEST_CASE("shares are shares of what the others leave, floats fill or keep what they want") {
+  using enum syntax::SizeKind;
+  std::mt19937 random(2010);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 2000; ++round) {
+    CAPTURE(round);
+    const double whole = 0.5 + 20 * unit(random);
+    std::vector<SizeValue> sizes;
+    double fixed = 0, wanted = 0, shares = 0;
+    for (std::size_t n = 1 + random() % 6; n > 0; --n) {
+      const auto kind = std::array{absolute, percent, relative, floating}[random() % 4];
+      sizes.push_back({kind, 0.01 + 3 * unit(random) * (kind == percent ? 10 : 1)});
+      const double value = sizes.back().value;
+      if (kind == absolute) fixed += value;
+      if (kind == percent) fixed += value / 100 * whole;
+      if (kind == floating) wanted += value;
+      if (kind == relative) shares += value;
+    }
+    std::vector<double> lengths;
+    const double left = solve_sizes(sizes, whole, lengths);
+    REQUIRE(lengths.size() == sizes.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      sum += lengths[i];
+      const double room = std::max(0.0, whole - fixed);
+      const double expected = sizes[i].kind == absolute  ? sizes[i].value
+                              : sizes[i].kind == percent ? sizes[i].value / 100 * whole
+                              : sizes[i].kind == relative
+                                  ? std::max(0.0, room - wanted) * sizes[i].value / shares
+                              : shares > 0 && wanted <= room ? sizes[i].value
+                                                             : sizes[i].value * room / wanted;
+      CHECK(std::abs(lengths[i] - expected) < 1e-9);
+    }
+    CHECK(std::abs(sum + left - whole) < 1e-9);
   }
 }
 
