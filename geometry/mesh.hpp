@@ -64,16 +64,16 @@ Vec3 newell(std::span<const Vec3> loop);
 /// with its normal. A polygon may be concave but has no holes. Kept as flat arrays so that writing
 /// them is one pass; cleared and reused from building to building.
 struct Surface {
-  struct Run {                    ///< consecutive polygons that look the same
-    uint32_t symbol = 0;          ///< the caller's number of the terminal's symbol
-    uint32_t material = 0;        ///< the caller's number of the material
-    uint32_t end = 0;             ///< one past its last polygon
+  struct Run {              ///< consecutive polygons that look the same
+    uint32_t symbol = 0;    ///< the caller's number of the terminal's symbol
+    uint32_t material = 0;  ///< the caller's number of the material
+    uint32_t end = 0;       ///< one past its last polygon
   };
 
   std::vector<Vec3> points;
-  std::vector<Vec2> uvs;           ///< one a point, in repeats of the texture (metres without one)
-  std::vector<uint32_t> ends;      ///< one past the last point of each polygon
-  std::vector<Vec3> normals;       ///< one a polygon, unit length
+  std::vector<Vec2> uvs;       ///< one a point, in repeats of the texture (metres without one)
+  std::vector<uint32_t> ends;  ///< one past the last point of each polygon
+  std::vector<Vec3> normals;   ///< one a polygon, unit length
   std::vector<Run> runs;
 
   std::size_t polygons() const { return ends.size(); }
