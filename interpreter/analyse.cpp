@@ -89,6 +89,18 @@ void Compiler::fold_constants() {
 }
 
 std::optional<Type> Compiler::static_type(ExprId id) const {
+  if (program_.nodes[id].kind != ExprKind::variable) return static_type_of_node(id);
+  // Once a variable: a chain of variables that each read the one before twice is not 2^n long.
+  const auto [known, fresh] = static_types_.try_emplace(program_.nodes[id].first);
+  if (fresh) {
+    const std::optional<Type> type = static_type_of_node(id);
+    static_types_[program_.nodes[id].first] = type;
+    return type;
+  }
+  return known->second;
+}
+
+std::optional<Type> Compiler::static_type_of_node(ExprId id) const {
   const ExprNode& n = program_.nodes[id];
   switch (n.kind) {
     case ExprKind::constant:

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "interpreter/function.hpp"
@@ -116,6 +117,7 @@ class Compiler {
   void fold_constants();
   void check_types();
   std::optional<Type> static_type(ExprId id) const;
+  std::optional<Type> static_type_of_node(ExprId id) const;
   void check_call_types(const Call& call);
   void add_writer(Diagnostic& d, ExprId id) const;
   void refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const;
@@ -136,6 +138,7 @@ class Compiler {
   std::map<std::string, uint32_t> setting_keys_;
   std::set<uint32_t> set_somewhere_;
   std::vector<uint16_t> pending_;
+  mutable std::unordered_map<uint32_t, std::optional<Type>> static_types_;  ///< by variable
   int variable_depth_ = 0;  ///< levels of expressions on the way through variables
 };
 

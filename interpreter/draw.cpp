@@ -53,6 +53,7 @@ uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) {
 }
 
 void Machine::draw(const Shape& shape, uint32_t symbol) {
+  check_reach(shape, symbol);
   const uint32_t elements = program.styles[shape.style].elements[symbol];
   if (elements != none && rules_of(shape) == none && draw_element(shape, elements)) return;
   const uint32_t look = look_of(shape, symbol);
@@ -77,6 +78,17 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
       break;
   }
   close_run(symbol, look);
+}
+
+/// Beyond this no coordinate holds a micrometre, and far beyond normals are no numbers.
+void Machine::check_reach(const Shape& shape, uint32_t symbol) {
+  constexpr double furthest = 1e9;  // metres
+  const auto within = [](Vec3 v) {
+    return std::abs(v.x) <= furthest && std::abs(v.y) <= furthest && std::abs(v.z) <= furthest;
+  };
+  if (within(shape.scope.origin) && within(shape.scope.size)) return;
+  fail({}, "'" + std::string(program.symbols[symbol]) + "' reaches further than a million km",
+       "is a size, a height or a shift too large?");
 }
 
 void Machine::close_run(uint32_t symbol, uint32_t look) {

@@ -202,10 +202,7 @@ Machine::Deeper::Deeper(Machine& machine, uint32_t node, int levels)
 Value Machine::define(const ExprNode& node, uint32_t id, const Env& env) {
   const FunctionSlot& function = program.functions[node.first];
   const Deeper deeper(*this, id, program.depths[function.value] + 1);
-  constexpr std::size_t most_calls = 20'000'000;
-  if (++calls_ > most_calls) {
-    fail(program.spans[id], "more than 20 million calls of functions in one building");
-  }
+  count_call(id);
   Value* const arguments = values_.take(node.count);
   for (uint32_t i = 0; i < node.count; ++i) {
     arguments[i] = evaluate(program.children[node.children + i], env);
@@ -213,6 +210,12 @@ Value Machine::define(const ExprNode& node, uint32_t id, const Env& env) {
   const Value result = evaluate(
       function.value, Env{env.shape, arguments, mix(env.draws, node.salt + 1u), env.frame});
   return result;
+}
+
+void Machine::count_call(uint32_t id) {
+  constexpr std::size_t most_calls = 20'000'000;
+  if (++calls_ <= most_calls) return;
+  fail(program.spans[id], "more than 20 million calls of functions and variables in one building");
 }
 
 Value Machine::call_function(const ExprNode& node, uint32_t id, const Env& env) {

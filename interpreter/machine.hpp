@@ -89,6 +89,7 @@ class Machine {
   /// detail).
   void finish_early(Shape& piece);
   void draw(const Shape& shape, uint32_t symbol);
+  void check_reach(const Shape& shape, uint32_t symbol);
 
   // ---- looks
   const Material& material(uint32_t number) const;
@@ -161,6 +162,7 @@ class Machine {
   Value subscript(const ExprNode& node, uint32_t id, const Env& env);
   Value call_function(const ExprNode& node, uint32_t id, const Env& env);
   Value define(const ExprNode& node, uint32_t id, const Env& env);
+  void count_call(uint32_t id);
   double measure(Attribute which, const Shape& shape);
 
   // draw.cpp
@@ -201,7 +203,7 @@ class Machine {
   uint32_t current_rules_ = none;
   int depth_ = 0;  ///< levels of expressions being evaluated in functions and variables
   int super_depth_ = 0;
-  std::size_t calls_ = 0;  ///< of functions of the style, in this building
+  std::size_t calls_ = 0;  ///< of functions, and of variables by others, in this building
 
   friend class Context;
 };
