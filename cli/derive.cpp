@@ -1,5 +1,6 @@
 // mansard derive
 #include <chrono>
+#include <filesystem>
 #include <set>
 
 #include "cli/derive_all.hpp"
@@ -29,6 +30,22 @@ std::string output_of(const Arguments& arguments) {
     throw UsageError("'" + *out + "' has no ending that this version writes: it writes .obj");
   }
   return *out;
+}
+
+/// Nothing that is read is written over, and the report not over the model.
+void refuse_own_input(const Arguments& arguments, const std::string& out) {
+  std::vector<std::pair<std::string, std::string>> targets{{"-o", out}};
+  if (const auto report = arguments.value("--report")) targets.emplace_back("--report", *report);
+  for (const auto& [flag, target] : targets) {
+    for (const std::string& input : arguments.positional()) {
+      std::error_code missing;
+      if (std::filesystem::equivalent(input, target, missing))
+        throw UsageError(flag + " " + target + " would write over what is read from '" + input +
+                         "': give it another name");
+    }
+  }
+  if (targets.back().first != "-o" && targets.back().second == out)
+    throw UsageError("--report and -o name the same file: '" + out + "'");
 }
 
 std::string head_comment(const Session& session, const FootprintSet& set,
@@ -122,6 +139,7 @@ int run_derive(const Arguments& arguments) {
   Session session(arguments);
   Job job{session, arguments, output_of(arguments)};
   up_of(arguments);
+  refuse_own_input(arguments, job.out);
   return session.guard([&]() -> int {
     if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
     return derive(job);

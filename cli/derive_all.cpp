@@ -3,6 +3,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
@@ -12,7 +13,14 @@ namespace mansard {
 namespace {
 
 std::atomic<bool> stop_asked{false};
-void ask_to_stop(int) { stop_asked = true; }
+
+/// A second Ctrl-C ends the program at once.
+void ask_to_stop(int signal) {
+  stop_asked = true;
+  std::signal(signal, SIG_DFL);
+  constexpr char text[] = "\nstopping after the buildings at hand; Ctrl-C again stops at once\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
+}
 
 /// Buildings on their way, reused so that their memory is.
 class Slots {

@@ -1,4 +1,5 @@
 // mansard: buildings from footprints and .style scripts.
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -40,13 +41,20 @@ int run(int argc, char** argv) {
 
 void print(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
+/// What was printed must have arrived: the disk may be full.
+int checked(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  print("error: can not write to standard output: " + std::string(std::strerror(errno)) + "\n");
+  return exit_input;
+}
+
 }  // namespace
 }  // namespace mansard
 
 int main(int argc, char** argv) {
   using namespace mansard;
   try {
-    return run(argc, argv);
+    return checked(run(argc, argv));
   } catch (const UsageError& error) {
     print("error: " + error.text + "\n");
     return exit_usage;

@@ -1,10 +1,9 @@
 #include "cli/report.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <nlohmann/json.hpp>
+
+#include "formats/output_file.hpp"
 
 namespace mansard {
 
@@ -72,16 +71,9 @@ void Report::write(const std::string& path, double seconds) const {
     json["report"][key] = value;
   }
   const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-  const std::string beside = path + ".part";
-  std::FILE* const file = std::fopen(beside.c_str(), "wb");
-  const bool written = file && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = file && std::fclose(file) == 0;
-  if (written && closed && std::rename(beside.c_str(), path.c_str()) == 0) return;
-  const std::string why = std::strerror(errno);
-  std::remove(beside.c_str());
-  Diagnostic d;
-  d.text = "can not write '" + path + "': " + why;
-  throw Failure(std::move(d));
+  OutputFile file(path);
+  file.put(text);
+  file.commit();
 }
 
 }  // namespace mansard

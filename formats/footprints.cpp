@@ -42,6 +42,9 @@ RawSet read_raw(const std::string& what, const FootprintOptions& options) {
   if (fs::is_directory(status) && ending != ".gdb") {
     fail("'" + what + "' is a folder, not a file of footprints");
   }
+  if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
+    fail("'" + what + "' is a device or a pipe, not a file of footprints");
+  }
   return ending == ".obj" ? read_obj_footprints(what) : read_gis(what, options);
 }
 

@@ -18,8 +18,10 @@ namespace fs = std::filesystem;
 
 std::optional<Mesh> read_by_assimp(const std::string& path, std::string& problem) {
   const fs::file_status status = fs::status(path);
-  if (!fs::exists(status) || fs::is_directory(status)) {
-    problem = fs::exists(status) ? "is a folder" : "no such file";
+  if (!fs::is_regular_file(status)) {
+    problem = !fs::exists(status)        ? "no such file"
+              : fs::is_directory(status) ? "is a folder"
+                                         : "is a device or a pipe";
     return {};
   }
   const auto read = reinterpret_cast<decltype(&mansard_read_mesh)>(

@@ -18,12 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 
 void copy_picture(const fs::path& from, const fs::path& to) {
-  std::ifstream in(from, std::ios::binary);
-  if (!in || fs::is_directory(from)) {
+  const auto refuse = [&](const char* why) {
     Diagnostic d;
-    d.text = "can not read texture '" + from.string() + "': " + std::strerror(in ? EISDIR : errno);
+    d.text = "can not read texture '" + from.string() + "': " + why;
     throw Failure(std::move(d));
-  }
+  };
+  std::error_code ignored;
+  const fs::file_status status = fs::status(from, ignored);
+  if (fs::is_directory(status)) refuse(std::strerror(EISDIR));
+  if (fs::exists(status) && !fs::is_regular_file(status)) refuse("it is a device or a pipe");
+  std::ifstream in(from, std::ios::binary);
+  if (!in) refuse(std::strerror(errno));
   OutputFile out(to.string());
   while (in) {
     char* room = out.room(OutputFile::block);

@@ -160,8 +160,8 @@ std::optional<std::string> whole_text(const std::string& path, std::string& prob
     problem = "is a folder";
     return {};
   }
-  if (fs::is_character_file(status) || fs::is_block_file(status)) {
-    problem = "is a device";
+  if (!fs::is_regular_file(status)) {
+    problem = "is a device or a pipe";
     return {};
   }
   std::ifstream in(path, std::ios::binary);

@@ -19,6 +19,7 @@ OutputFile::OutputFile(const std::string& path)
   struct stat status;
   const bool exists = stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
+  if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
   regular_ = !exists || S_ISREG(status.st_mode);
   if (!regular_) {
     file_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -31,11 +32,20 @@ OutputFile::OutputFile(const std::string& path)
   if (unresolved) target_ = path;
   static std::atomic<unsigned> count = 0;
   temporary_ = target_ + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part";
-  file_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file_ < 0) {
-    temporary_.clear();
-    fail(errno);
+  open_temporary();
+}
+
+/// Without a name where the file system can: then not even a killed program leaves a file behind.
+void OutputFile::open_temporary() {
+  const fs::path folder = fs::path(target_).parent_path();
+  if (access("/proc/self/fd", X_OK) == 0) {
+    file_ = open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+    nameless_ = file_ >= 0;
   }
+  if (!nameless_) file_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ >= 0) return;
+  temporary_.clear();
+  fail(errno);
 }
 
 OutputFile::~OutputFile() {
@@ -55,6 +65,11 @@ void OutputFile::put(std::string_view text) {
 
 void OutputFile::commit() {
   flush();
+  if (nameless_) {
+    const std::string open_file = "/proc/self/fd/" + std::to_string(file_);
+    if (linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+      fail(errno);
+  }
   const int closed = close(file_);
   file_ = -1;
   if (closed != 0) fail(errno);

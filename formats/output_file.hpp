@@ -33,6 +33,7 @@ class OutputFile {
   static constexpr std::size_t block = 1 << 16;
 
  private:
+  void open_temporary();
   void flush();
   [[noreturn]] void fail(int error) const;
 
@@ -43,6 +44,7 @@ class OutputFile {
   std::size_t flushed_ = 0;
   int file_ = -1;
   bool regular_ = true;
+  bool nameless_ = false;  ///< has no name before commit()
 };
 
 }  // namespace mansard

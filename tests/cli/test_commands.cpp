@@ -85,6 +85,57 @@ TEST_CASE("a model appears whole or not at all") {
   CHECK(run({"derive", box, "rect:10x8", "-o", folder / "no/such/folder/model.obj"}).status == 1);
 }
 
+TEST_CASE("nothing that is read is written over, and no device replaced") {
+  const TemporaryFolder folder;
+  const char* const corners = "v 0 0 0\nv 0 0 9\nv 9 0 9\nv 9 0 0\nf 1 2 3 4\n";
+  const std::string plot = written(folder, "plot.obj", corners);
+  const std::string model = folder / "model.obj";
+  CHECK(run({"derive", box, plot, "-o", plot}).status == 2);
+  CHECK(run({"derive", box, plot, "-o", model, "--report", plot}).status == 2);
+  CHECK(run({"derive", box, plot, "-o", model, "--report", model}).status == 2);
+  CHECK(contents(plot) == corners);
+  CHECK(files_in(folder) == 1);
+  fs::create_symlink("/dev/full", folder / "full.json");
+  const Run full = run({"derive", box, plot, "-o", model, "--report", folder / "full.json"});
+  CHECK(full.status == 1);
+  CHECK(full.err.find("No space left on device") != std::string::npos);
+  CHECK(fs::is_character_file(folder / "full.json"));
+  const std::string endless = written(
+      folder, "endless.style", "style S { Plot { FOOTPRINT -> texture(\"/dev/zero\") PLOT } }");
+  CHECK(run({"derive", endless, "rect:10x8", "-o", model}).status == 1);
+}
+
+TEST_CASE("variables that read others twice are checked at once and bounded where derived") {
+  const auto doubling = [](const std::string& first) {
+    std::string text = "style S { var v0 = " + first;
+    for (int i = 1; i < 64; ++i) {
+      const std::string before = "v" + std::to_string(i - 1);
+      text += " var v" + std::to_string(i) + " = " + before + " + " + before;
+    }
+    return text + " Plot { FOOTPRINT -> extrude(v63 / 1e18) { MASS } } }";
+  };
+  const TemporaryFolder folder;
+  const std::string once = written(folder, "once.style", doubling("1").c_str());
+  CHECK(run({"tree", once, "rect:10x8"}).status == 0);
+  const std::string each = written(folder, "each.style", doubling("W").c_str());
+  CHECK(run({"check", each}).status == 0);
+  const Run tree = run({"tree", each, "rect:10x8"});
+  CHECK(tree.status == 1);
+  CHECK(tree.err.find("more than 20 million calls") != std::string::npos);
+}
+
+TEST_CASE("what reaches beyond all measure is an error, not a model without numbers") {
+  const TemporaryFolder folder;
+  for (const char* const rule : {"s(1e200, 1e200, 1e200) sphere() BALL", "r(1e308, 1e308, 0) PLOT",
+                                 "extrude(1e300) { MASS }", "t(1e300, 0, 0) PLOT"}) {
+    const std::string text = std::string("style S { Plot { FOOTPRINT -> ") + rule + " } }";
+    const std::string style = written(folder, "far.style", text.c_str());
+    const Run far = run({"derive", style, "rect:10x8", "-o", folder / "far.obj"});
+    CHECK_MESSAGE(far.status == 1, rule);
+    CHECK_MESSAGE(far.err.find("reaches further than") != std::string::npos, far.err);
+  }
+}
+
 TEST_CASE("results go where -o says and nowhere else") {
   const TemporaryFolder folder;
   const Run derive = run({"derive", box, "rect:10x8", "-o", folder / "model.obj"});

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 
@@ -71,6 +72,8 @@ TEST_CASE("meshes that can not be read say why") {
   CHECK(problem_of(folder / "none.obj") == "no such file");
   CHECK(problem_of(folder / "none.glb") == "no such file");
   CHECK(problem_of(folder.string()) == "is a folder");
+  REQUIRE(mkfifo((folder / "pipe.obj").c_str(), 0600) == 0);
+  CHECK(problem_of(folder / "pipe.obj") == "is a device or a pipe");
   CHECK(problem_of(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n")) ==
         "line 3: face of unknown vertex");
   CHECK(problem_of(folder.write("b.obj", "v 0 0 0\n\nf 1 1\n")) ==
