@@ -20,4 +20,7 @@ struct Scope {
   }
 };
 
+/// Left-handed: loops that are counter-clockwise in it are clockwise in the world.
+constexpr bool mirrored(const Scope& scope) { return dot(cross(scope.x, scope.y), scope.z) < 0; }
+
 }  // namespace mansard

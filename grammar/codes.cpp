@@ -97,6 +97,14 @@ Correct the data, or read it as text: attr("height", "").)"},
 Let one size take what is left:
 
     FLOOR -> subdiv("X", 1, 2, 1r) { WALL | TILE | WALL })"},
+    CodePage{
+        "W014", "A shape has no edge of the number that was asked for.",
+        R"(Edges are numbered from 0, around the outline and then around each hole. A footprint with three edges
+has no edge 3, so the number chooses nothing there.
+
+    FOOTPRINT -> setback(2, 3) { LOT | GARDEN }
+
+Choose edges by what they are, where you can: "street", "party", "front".)"},
 };
 
 }  // namespace

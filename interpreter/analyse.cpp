@@ -57,8 +57,25 @@ bool Compiler::reads_shape(ExprId id, std::vector<uint8_t>& state) {
   return reads;
 }
 
-/// Children come before their parents, so one pass folds all. What fails when folded fails always.
+/// Nodes that are not always evaluated: below a branch or behind && and ||.
+std::vector<bool> Compiler::conditional_nodes() const {
+  std::vector<bool> conditional(program_.nodes.size(), false);
+  for (ExprId id = static_cast<ExprId>(program_.nodes.size()); id-- > 0;) {  // parents first
+    const ExprNode& n = program_.nodes[id];
+    const bool chooses =
+        n.kind == ExprKind::conditional || n.kind == ExprKind::and_ || n.kind == ExprKind::or_;
+    for (uint32_t i = 0; i < n.count; ++i) {
+      if (conditional[id] || (chooses && i > 0))
+        conditional[program_.children[n.children + i]] = true;
+    }
+  }
+  return conditional;
+}
+
+/// Children come before their parents, so one pass folds all. What fails when folded fails whenever
+/// it is evaluated: an error here, unless it might never be.
 void Compiler::fold_constants() {
+  const std::vector<bool> conditional = conditional_nodes();
   struct NoMeshes final : MeshSource {
     const Mesh* mesh(const std::string&, std::string&) override { return nullptr; }
   } meshes;
@@ -83,7 +100,7 @@ void Compiler::fold_constants() {
           ExprKind::constant, 0, 0, static_cast<uint32_t>(program_.constants.size()), 0, 0};
       program_.constants.push_back(value.from(id));
     } catch (Failure& failure) {
-      diagnostics_.add(std::move(failure.diagnostic));
+      if (!conditional[id]) diagnostics_.add(std::move(failure.diagnostic));
     }
   }
 }

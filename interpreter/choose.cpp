@@ -20,16 +20,17 @@ void Machine::bind_index(const Production& chosen, const RuleSet& rules, const S
 const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env& env) {
   const Production* const all = program.productions.data() + rules.first;
   if (rules.always) return all;
-  std::array<std::pair<const Production*, double>, 64> candidates;
+  std::array<std::pair<const Production*, double>, most_productions> candidates;
   const Env outer = env;
   for (const bool indexed : {true, false}) {
     if (indexed && !rules.tests_index) continue;
     std::size_t found = 0;
     double total = 0;
-    for (uint32_t i = 0; i < rules.count && found < candidates.size(); ++i) {
+    for (uint32_t i = 0; i < rules.count; ++i) {
       const Production& p = all[i];
       if ((p.index_test != none) != indexed || (p.is_else && found > 0)) continue;
       Env inner = outer;
+      inner.draws = mix(outer.draws, hash_of("guard") + i);
       production = &p;
       bind_index(p, rules, shape, inner);
       if (p.index_test != none && number(p.index_test, inner) != shape.index) continue;

@@ -58,11 +58,9 @@ bool Compiler::run() {
   } else {
     warn_no_start(program_.styles[*number], *main);
   }
-  while (!pending_.empty()) {
-    const uint16_t next = pending_.back();
-    pending_.pop_back();
-    compile_style(next);
-  }
+  compile_pending();
+  apply_settings();
+  compile_pending();  // a setting can name a style that nothing else does
   for (CompiledStyle& style : program_.styles) {
     style.rules.resize(program_.symbols.size(), none);
     style.elements.resize(program_.symbols.size(), none);
@@ -71,7 +69,6 @@ bool Compiler::run() {
   for (uint32_t i = 0; i < program_.symbols.size(); ++i) {
     program_.symbol_hashes.push_back(hash_of(program_.symbols[i]));
   }
-  apply_settings();
   mark_settable();
   const std::size_t errors = diagnostics_.errors();
   find_shape_readers();
@@ -79,6 +76,14 @@ bool Compiler::run() {
   fold_constants();
   check_types();
   return !diagnostics_.has_errors();
+}
+
+void Compiler::compile_pending() {
+  while (!pending_.empty()) {
+    const uint16_t next = pending_.back();
+    pending_.pop_back();
+    compile_style(next);
+  }
 }
 
 const syntax::Style* Compiler::main_style() {
@@ -102,13 +107,15 @@ const syntax::Style* Compiler::main_style() {
   return nullptr;
 }
 
-std::optional<uint16_t> Compiler::style_number(std::string_view name) {
+std::optional<uint16_t> Compiler::style_number(std::string_view name, Reach reach) {
   if (const auto it = program_.style_numbers.find(name); it != program_.style_numbers.end())
     return it->second;
   const syntax::Style* const syntax = library_.find(name);
   if (!syntax) return std::nullopt;
   auto linked = link(library_, *syntax, diagnostics_);
   if (!linked) return std::nullopt;
+  const bool incomplete = !linked->missing.empty() && !options_.all_styles;
+  if (incomplete && reach == Reach::any) return std::nullopt;
   const auto number = static_cast<uint16_t>(program_.styles.size());
   const LinkedStyle& kept = program_.linked.emplace_back(std::move(*linked));
   CompiledStyle& style = program_.styles.emplace_back();
@@ -128,8 +135,7 @@ std::optional<uint16_t> Compiler::style_number(std::string_view name) {
 /// Every style that can be derived; one that waits for a child to complete it can not.
 void Compiler::reach_all() {
   for (const syntax::Style* style : library_.styles()) {
-    if (style->pre.abstract && !options_.all_styles) continue;
-    style_number(style->name.text);
+    style_number(style->name.text, Reach::any);
   }
 }
 
@@ -183,12 +189,23 @@ void Compiler::declare_variables(uint16_t number) {
 }
 
 void Compiler::compile_style(uint16_t number) {
+  attempt(number, {}, [&] { check_start(program_.styles[number]); });
   compile_functions(number);
   compile_variables(number);
   compile_rules(number);
   compile_elements(number);
   compile_materials(number);
   if (options_.all_styles) warn_unguarded(number);
+}
+
+void Compiler::check_start(const CompiledStyle& style) {
+  const SymbolRules* const rules = style.linked->find_symbol(style.linked->start);
+  if (!rules) return;
+  const syntax::Rule& rule = *rules->generations[0].productions[0];
+  if (rule.params.empty()) return;
+  refuse(rule.head,
+         "derivation begins at '" + std::string(rules->name) + "', so it can have no parameters",
+         "let it emit a symbol that has them");
 }
 
 void Compiler::compile_functions(uint16_t number) {
@@ -245,7 +262,13 @@ void Compiler::compile_rules(uint16_t number) {
     for (uint32_t i = 0; i < set.count; ++i) {
       Production production = program_.productions[set.first + i];
       const std::string_view block = production.from.block ? production.from.block->name.text : "";
-      attempt(number, block, [&] { compile_production(production, number); });
+      attempt(number, block, [&] {
+        if (i == most_productions) {
+          refuse(production.syntax->head,
+                 "a symbol has " + std::to_string(most_productions) + " productions at most");
+        }
+        compile_production(production, number);
+      });
       tests = tests || production.index_test != none;
       program_.productions[set.first + i] = production;
     }

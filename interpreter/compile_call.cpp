@@ -131,10 +131,8 @@ void Compiler::call_parts(Call& call, const syntax::Emit& e, NameScope& scope) {
   const Operation& operation = *call.operation;
   call.has_parts = e.parts.has_value();
   if (!e.parts) {
-    const bool optional = operation.rule == PartRule::without || operation.rule == PartRule::body ||
-                          operation.name == "roof";
-    if (optional) return;
-    if (operation.name == "repeat") return;
+    const bool goes_on = operation.rule == PartRule::body && operation.name != "repeat";
+    if (operation.rule == PartRule::without || goes_on || operation.name == "roof") return;
     refuse(call.args_at,
            quoted(operation.name) + " makes parts, and no { ... } says what becomes of them",
            operation.parts.empty() ? "write " + std::string(operation.name) + "(...) { PART }"

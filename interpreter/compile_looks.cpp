@@ -130,20 +130,29 @@ Material Compiler::material_of(const syntax::MaterialAlternative& alternative, s
   return material;
 }
 
+/// The same alternative is the same material in every heir; names are numbered until they are free.
+uint32_t Compiler::material_number(const MaterialChoice& choice, std::string_view symbol) {
+  const auto [known, fresh] = material_numbers_.try_emplace(choice.syntax, 0);
+  if (!fresh) return known->second;
+  const std::string base = std::string(choice.from.style->name.text) + "." + std::string(symbol);
+  std::string name = base;
+  const auto taken = [&](const Material& m) { return m.name == name; };
+  for (int i = 2; std::ranges::any_of(program_.materials, taken); ++i) {
+    name = base + "." + std::to_string(i);
+  }
+  Material material = material_of(*choice.syntax, name);
+  known->second = static_cast<uint32_t>(program_.materials.size());
+  program_.materials.push_back(std::move(material));
+  return known->second;
+}
+
 void Compiler::compile_materials(uint16_t number) {
   for (const MaterialBinding& binding : program_.styles[number].linked->materials) {
     attempt(number, "Materials", [&] {
       MaterialTable table;
       for (std::size_t i = 0; i < binding.alternatives.size(); ++i) {
         const MaterialChoice& choice = binding.alternatives[i];
-        std::string name =
-            std::string(choice.from.style->name.text) + "." + std::string(binding.symbol);
-        if (i > 0) name += "." + std::to_string(i + 1);
-        const Material material = material_of(*choice.syntax, name);
-        const auto same = std::ranges::find_if(program_.materials,
-                                               [&](const Material& m) { return m.name == name; });
-        table.materials.push_back(static_cast<uint32_t>(same - program_.materials.begin()));
-        if (same == program_.materials.end()) program_.materials.push_back(material);
+        table.materials.push_back(material_number(choice, binding.symbol));
         table.weights.push_back(weight(choice.syntax->weight, number));
         table.total += table.weights.back();
       }

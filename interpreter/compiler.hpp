@@ -35,7 +35,11 @@ class Compiler {
  private:
   // compile.cpp
   const syntax::Style* main_style();
-  std::optional<uint16_t> style_number(std::string_view name);
+  /// Styles reached by any name are passed over while something abstract is missing.
+  enum class Reach : uint8_t { named, any };
+  std::optional<uint16_t> style_number(std::string_view name, Reach reach = Reach::named);
+  void compile_pending();
+  void check_start(const CompiledStyle& style);
   void reach_all();
   void compile_style(uint16_t number);
   void declare_rules(uint16_t style);
@@ -107,6 +111,7 @@ class Compiler {
   void element_choice(const ElementChoice& alternative, ElementTable& table);
   double weight(const syntax::ExprPtr& weight, uint16_t style);
   Material material_of(const syntax::MaterialAlternative& alternative, std::string name);
+  uint32_t material_number(const MaterialChoice& choice, std::string_view symbol);
   const Value& literal(const syntax::Arg& arg);
 
   // analyse.cpp
@@ -114,6 +119,7 @@ class Compiler {
   void find_shape_readers();
   bool reads_shape(ExprId id, std::vector<uint8_t>& state);
   bool variable_reads_shape(uint32_t slot, std::vector<uint8_t>& state);
+  std::vector<bool> conditional_nodes() const;
   void fold_constants();
   void check_types();
   std::optional<Type> static_type(ExprId id) const;
@@ -135,6 +141,7 @@ class Compiler {
   Diagnostics& diagnostics_;
   std::set<std::string_view> known_symbols_;
   std::map<std::pair<uint16_t, std::string>, uint32_t> variable_slots_, function_slots_;
+  std::map<const syntax::MaterialAlternative*, uint32_t> material_numbers_;
   std::map<std::string, uint32_t> setting_keys_;
   std::set<uint32_t> set_somewhere_;
   std::vector<uint16_t> pending_;

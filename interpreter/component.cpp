@@ -150,6 +150,7 @@ void push_mesh_faces(Machine& machine, const Shape& shape) {
       const Vec3 p = pooled.mesh().points[corner] - pooled.low;
       loop.push_back(shape.scope.at({p.x * scale.x, p.y * scale.y, p.z * scale.z}));
     }
+    if (mirrored(shape.scope)) std::reverse(loop.begin(), loop.end());
     if (length(newell(loop)) > 1e-12) {
       machine.scratch_shapes.push_back(face_of(machine, shape, loop, {}, f.tag));
     }
@@ -187,6 +188,8 @@ void push_faces(Machine& machine, const Shape& shape) {
       cap.form = Form::polygon;
       cap.open = cap.cuts = 0;
       cap.tag = {};
+      const uint8_t far_side = shape.ground ? side_top : side_front;
+      if (shape.cuts & far_side) cap.tag.flags = EdgeTag::cut;
       if (shape.ground) {
         cap.scope.origin = shape.scope.at({0, shape.scope.size.y, 0});
         cap.scope.size.y = 0;
@@ -199,6 +202,9 @@ void push_faces(Machine& machine, const Shape& shape) {
       if (!(shape.open & side_bottom)) {
         const PooledPolygon& pooled = machine.polygon_of(shape);
         Shape base = cap;
+        const uint8_t near_side = shape.ground ? side_bottom : side_back;
+        base.tag = {};
+        if (shape.cuts & near_side) base.tag.flags = EdgeTag::cut;
         const double w = shape.scope.size.x;
         const double along = prism_height(shape);
         base.scope.origin = cap.scope.at({w, 0, -along});

@@ -7,10 +7,10 @@
 namespace mansard {
 
 void Context::go_on(const CallPart& given_part, std::size_t i, Shape& piece) {
-  if (++machine.parts > machine.options.max_shapes * 4) {
+  if (++machine.parts > machine.options.max_shapes) {
     machine.fail(
         call.at,
-        "more than " + std::to_string(machine.options.max_shapes * 4) + " parts in one building",
+        "more than " + std::to_string(machine.options.max_shapes) + " parts in one building",
         "are the sizes in metres? --max-shapes allows more");
   }
   const Scope frame = piece.scope;

@@ -12,8 +12,6 @@ constexpr double thin = 1e-9;  ///< metres; faces thinner than this are no faces
 
 UvFrame own_frame(const Scope& scope) { return {scope.origin, scope.x, scope.y, scope.z}; }
 
-bool mirrored(const Scope& scope) { return dot(cross(scope.x, scope.y), scope.z) < 0; }
-
 }  // namespace
 
 const Material& Machine::material(uint32_t number) const {

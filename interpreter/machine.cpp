@@ -77,6 +77,7 @@ void Machine::reset(const Footprint& input, Building& result) {
       const auto named = program.variables_by_property.find(property.name);
       if (named == program.variables_by_property.end()) continue;
       for (const uint32_t variable : named->second) {
+        if (program.variables[variable].from_command_line) continue;
         variable_property_[variable] = *slot;
         overridden_.push_back(variable);
       }
@@ -150,9 +151,13 @@ void Machine::expand(Shape& shape) {
 }
 
 void Machine::rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env& env) {
-  const Production* chosen = choose(rules, shape, env);
-  if (!chosen) return no_candidate(rules, shape);
   const Production* const before = production;
+  const Production* chosen = choose(rules, shape, env);
+  if (!chosen) {
+    no_candidate(rules, shape);
+    production = before;
+    return;
+  }
   const uint32_t rules_before = current_rules_;
   production = chosen;
   current_rules_ = rule_set;
@@ -211,17 +216,19 @@ void Machine::step(const Step& s, Shape& shape, const Env& outer) {
 
 void Machine::run_super(Shape& shape, const Env& env) {
   const uint32_t next = program.rule_sets[current_rules_].super;
+  Step plain;
+  plain.kind = StepKind::super;
   if (next == none) {
-    Step plain;
-    plain.kind = StepKind::super;
     return emit(plain, nodes_[expanding].symbol, shape.style, shape, env);
   }
-  Env inner = env;
-  inner.draws = mix(env.draws, hash_of("super"));
   constexpr int most_supers = 200;
   if (++super_depth_ > most_supers) fail({}, "'super' goes on more than 200 times");
-  rewrite(program.rule_sets[next], next, shape, inner);
+  Shape inner = shape;  // what follows super goes on with the shape as it was
+  Env inside{&inner, env.parameters, mix(env.draws, hash_of("super")), env.frame};
+  const std::size_t before = emitted;
+  rewrite(program.rule_sets[next], next, inner, inside);
   --super_depth_;
+  if (emitted == before) emit(plain, nodes_[expanding].symbol, inner.style, inner, env);
 }
 
 void Machine::emit_value(const Step& s, const Shape& shape, const Env& env) {
@@ -333,7 +340,12 @@ void Machine::adopt(Shape& shape, Polygon&& polygon) {
   shape.scope.origin = shape.scope.at(low);
   shape.scope.size = shape.ground ? Vec3{size.x, shape.scope.size.y, size.y}
                                   : Vec3{size.x, size.y, shape.scope.size.z};
-  if (!shape.ground && shape.form == Form::polygon && is_axis_rectangle(polygon, 1e-9)) {
+  // A rectangle has no tags of its edges: only polygons whose edges are like the face become one.
+  const auto like_the_face = [&](EdgeTag t) {
+    return ((t.flags ^ shape.tag.flags) & ~EdgeTag::cut) == 0;
+  };
+  if (!shape.ground && shape.form == Form::polygon && is_axis_rectangle(polygon, 1e-9) &&
+      std::ranges::all_of(polygon.tags, like_the_face)) {
     shape.form = Form::rectangle;
     shape.geometry = Shape::none;
     return;

@@ -72,9 +72,10 @@ constexpr std::array rows{
     row<op::taper>("mass", "taper", "height", body, "",
                    "Draws a flat shape up to a point above its centre of gravity.",
                    "taper(5) { SPIRE }"),
-    row<op::offset>("plan", "offset", "distance, edges", named, "inside | border",
-                    "Moves the chosen edges (all by default) inwards, or outwards when negative.",
-                    "offset(1) { LAWN | PATH }"),
+    row<op::offset>(
+        "plan", "offset", "distance, edges", named, "inside | border",
+        "Moves the chosen edges (all by default) inwards; a negative distance moves all outwards.",
+        "offset(1) { LAWN | PATH }"),
     row<op::setback>("plan", "setback", "distance, edges", named, "kept | strip",
                      "Cuts a strip off along each chosen edge.",
                      "setback(2, \"front\") { LOT | GARDEN }"),

@@ -259,6 +259,8 @@ struct Program {
 };
 
 inline constexpr uint32_t nil_symbol = 0;
+/// Of one symbol in one style.
+inline constexpr uint32_t most_productions = 256;
 
 /// Meshes of elements and insert(), read once. Implemented where files of models may be touched.
 class MeshSource {

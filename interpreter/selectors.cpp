@@ -108,6 +108,23 @@ bool selects_edge(Selector selector, EdgeTag tag, Vec2 normal) {
   }
 }
 
+namespace {
+
+bool chooses_edges(Selector selector) {
+  switch (selector) {
+    case Selector::faces:
+    case Selector::vertical:
+    case Selector::horizontal:
+    case Selector::slanted:
+    case Selector::vertices:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
 std::vector<bool> chosen_edges(Context& context, std::size_t argument, const Edges& edges,
                                const Polygon& polygon) {
   std::vector<bool> chosen(polygon.points.size(), false);
@@ -116,13 +133,18 @@ std::vector<bool> chosen_edges(Context& context, std::size_t argument, const Edg
       value.type == Type::list ? value.list() : std::span<const Value>(&value, 1);
   for (const Value& item : items) {
     if (item.type == Type::number) {
-      if (item.number >= 0 && item.number < static_cast<double>(chosen.size())) {
+      const bool there = item.number >= 0 && item.number < static_cast<double>(chosen.size());
+      if (there) {
         chosen[static_cast<std::size_t>(item.number)] = true;
+      } else {
+        context.machine.warn(
+            "W014", context.at(argument), "a shape has no edge " + number_text(item.number),
+            "its edges are numbered from 0 to " + std::to_string(chosen.size() - 1));
       }
       continue;
     }
     const auto selector = item.type == Type::string ? find_selector(item.string()) : std::nullopt;
-    if (!selector) {
+    if (!selector || !chooses_edges(*selector)) {
       const auto word = item.type == Type::string ? std::string(item.string()) : "this";
       const auto meant = nearest(word, selector_words);
       context.fail(argument, "'" + word + "' chooses no edges",

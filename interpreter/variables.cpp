@@ -13,8 +13,7 @@ Value Machine::variable(uint32_t slot, const Env& env, uint32_t node) {
   const VariableSlot& v = program.variables[slot];
   if (!v.settable && variable_known_[slot] == building_number_) return variable_values_[slot];
   const Deeper deeper(*this, node, program.depths[v.value] + 1);
-  if (v.from_command_line) return evaluate(v.value, Env{env.shape, nullptr, 0, nullptr});
-  if (v.settable && env.shape) {
+  if (v.settable && env.shape && !v.from_command_line) {
     for (uint32_t i = env.shape->settings; i != none; i = settings[i].next) {
       if (settings[i].setting == v.setting) return settings[i].value;
     }

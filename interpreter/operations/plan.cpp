@@ -74,7 +74,10 @@ namespace operation {
 /// d > 0 inwards; d < 0 outwards, where there is no border.
 void offset(Context& c, double distance, std::optional<Edges> edges) {
   const Polygon plan = plan_of(c);
-  if (distance < 0) return give(c, 0, outset(plan, -distance));
+  if (distance < 0) {
+    if (edges) c.fail(1, "edges can be chosen only where the distance is positive");
+    return give(c, 0, outset(plan, -distance));
+  }
   Inset inset = moved_in(c, distance, edges, plan);
   give(c, 0, inset.inside);
   if (!c.wants(1)) return;

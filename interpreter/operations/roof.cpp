@@ -1,6 +1,7 @@
 // roof(kind, pitch, ...): the faces of a roof over a flat shape.
 #include "geometry/roof.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -73,6 +74,7 @@ std::vector<Vec3> placed(const Shape& base, std::span<const Vec3> loop) {
   for (const Vec3& p : loop) {
     world.push_back(base.scope.at(base.ground ? Vec3{p.x, p.z, depth - p.y} : p));
   }
+  if (mirrored(base.scope)) std::reverse(world.begin(), world.end());
   return world;
 }
 

@@ -351,15 +351,18 @@ bool Machine::fits(uint32_t number, const Env& env) {
   Shape shape = *env.shape;
   Context c(*this, call, shape, env);
   const Value axis = c.value(0);
-  const bool named = axis.type == Type::string && axis.size == 1;
-  const double whole =
-      named ? along(shape.scope.size, static_cast<Axis>((axis.text[0] & ~0x20) - 'X')) : 1e300;
+  const char letter =
+      axis.type == Type::string && axis.size == 1 ? static_cast<char>(axis.text[0] & ~0x20) : '\0';
+  const bool named = letter >= 'X' && letter <= 'Z';
+  const double whole = named ? along(shape.scope.size, static_cast<Axis>(letter - 'X'))
+                             : direction_of(c, axis).whole;
   double fixed = 0;
   if (!call.parts.empty() && call.parts[0].labelled) {
     fixed = fixed_length(*this, call.parts, env, whole);
   }
   for (std::size_t i = 1; i < call.args.size(); ++i) {
-    if (call.args[i].value != none && !(call.operation->parameters[i].optional)) {
+    const std::size_t known = std::min<std::size_t>(i, call.operation->count - 1u);
+    if (call.args[i].value != none && !call.operation->parameters[known].optional) {
       fixed += fixed_length(*this, call.args[i], env, whole);
     }
   }

@@ -1,4 +1,5 @@
 // Moving, turning and sizing the scope.
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/solids.hpp"
@@ -46,6 +47,7 @@ Mesh world_mesh(Context& c) {
       loop.push_back(static_cast<uint32_t>(mesh.points.size()));
       mesh.points.push_back(face.scope.at({p.x, p.y, 0}));
     }
+    if (mirrored(face.scope)) std::reverse(loop.begin(), loop.end());
     mesh.add_face(loop, face.tag);
   }
   faces.resize(first);
