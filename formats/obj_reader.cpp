@@ -42,7 +42,7 @@ class Text final : public std::streambuf {
 /// Keeps what tinyobjloader read of the MTL files: its callbacks would fail on an empty one.
 class Materials final : public tinyobj::MaterialReader {
  public:
-  explicit Materials(std::string folder) : file_(std::move(folder)) {}
+  explicit Materials(const std::string& folder) : file_(folder) {}
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* all,
                   std::map<std::string, int>* numbers, std::string* warning,
                   std::string* error) override {
