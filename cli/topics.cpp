@@ -74,7 +74,7 @@ offset, setback, chamfer and the gables of roof choose edges by the same words, 
 property Block.Name (a bare Name for variables of the style only), the most derived style, ... the base.
 
   var Height = attr("height", 9)      reads a property of the footprint, with a default
-  @per("shape") var Width = rand(1, 2)   drawn at each use; without @per once a building
+  @per("shape") var Width = rand(1, 2)   drawn once a shape; without @per once a building
 
 A variable that reads the shape is evaluated at each use. Text such as 12.5 m or 40' reads as a number.
 BUILDING_HEIGHT, BUILDING_LEVELS, BUILDING_NAME and BUILDING_USE are read from height, min_height,
