@@ -157,14 +157,55 @@ void push_mesh_faces(Machine& machine, const Shape& shape) {
   }
 }
 
+void push_framed(Machine& machine, Shape face) {
+  machine.frame_uvs(face);
+  machine.scratch_shapes.push_back(face);
+}
+
+/// Walls in the order of the edges, then the cap, then the base.
+void push_prism_faces(Machine& machine, const Shape& shape) {
+  for (uint32_t i = 0, n = prism_walls(machine, shape); i < n; ++i) {
+    push_framed(machine, prism_wall(machine, shape, i));
+  }
+  Shape cap = shape;
+  cap.form = Form::polygon;
+  cap.open = cap.cuts = 0;
+  cap.tag = {};
+  const uint8_t far_side = shape.ground ? side_top : side_front;
+  if (shape.cuts & far_side) cap.tag.flags = EdgeTag::cut;
+  if (shape.ground) {
+    cap.scope.origin = shape.scope.at({0, shape.scope.size.y, 0});
+    cap.scope.size.y = 0;
+    cap = lying_face(cap);
+  } else {
+    cap.scope.origin = shape.scope.at({0, 0, shape.scope.size.z});
+    cap.scope.size.z = 0;
+  }
+  push_framed(machine, cap);
+  if (!(shape.open & side_bottom)) {
+    const PooledPolygon& pooled = machine.polygon_of(shape);
+    Shape base = cap;
+    const uint8_t near_side = shape.ground ? side_bottom : side_back;
+    base.tag = {};
+    if (shape.cuts & near_side) base.tag.flags = EdgeTag::cut;
+    const double w = shape.scope.size.x;
+    const double along = prism_height(shape);
+    base.scope.origin = cap.scope.at({w, 0, -along});
+    base.scope.x = -cap.scope.x;
+    base.scope.z = -cap.scope.z;
+    Polygon& turned = machine.new_polygon(base);
+    turned = pooled.polygon;  // into the pool's memory
+    mirror_u(turned);
+    translate(turned, {pooled.natural.x, 0});
+    const_cast<PooledPolygon&>(machine.polygon_of(base)).natural = pooled.natural;
+    push_framed(machine, base);
+  }
+}
+
 }  // namespace
 
 void push_faces(Machine& machine, const Shape& shape) {
   auto& out = machine.scratch_shapes;
-  const auto framed = [&](Shape face) {
-    machine.frame_uvs(face);
-    out.push_back(face);
-  };
   switch (shape.form) {
     case Form::nothing:
     case Form::line:
@@ -177,48 +218,12 @@ void push_faces(Machine& machine, const Shape& shape) {
       break;
     case Form::box:
       for (int side = 0; side < 6; ++side) {
-        if (!(shape.open & (1 << side))) framed(box_side(shape, side));
+        if (!(shape.open & (1 << side))) push_framed(machine, box_side(shape, side));
       }
       break;
-    case Form::prism: {
-      for (uint32_t i = 0, n = prism_walls(machine, shape); i < n; ++i) {
-        framed(prism_wall(machine, shape, i));
-      }
-      Shape cap = shape;
-      cap.form = Form::polygon;
-      cap.open = cap.cuts = 0;
-      cap.tag = {};
-      const uint8_t far_side = shape.ground ? side_top : side_front;
-      if (shape.cuts & far_side) cap.tag.flags = EdgeTag::cut;
-      if (shape.ground) {
-        cap.scope.origin = shape.scope.at({0, shape.scope.size.y, 0});
-        cap.scope.size.y = 0;
-        cap = lying_face(cap);
-      } else {
-        cap.scope.origin = shape.scope.at({0, 0, shape.scope.size.z});
-        cap.scope.size.z = 0;
-      }
-      framed(cap);
-      if (!(shape.open & side_bottom)) {
-        const PooledPolygon& pooled = machine.polygon_of(shape);
-        Shape base = cap;
-        const uint8_t near_side = shape.ground ? side_bottom : side_back;
-        base.tag = {};
-        if (shape.cuts & near_side) base.tag.flags = EdgeTag::cut;
-        const double w = shape.scope.size.x;
-        const double along = prism_height(shape);
-        base.scope.origin = cap.scope.at({w, 0, -along});
-        base.scope.x = -cap.scope.x;
-        base.scope.z = -cap.scope.z;
-        Polygon& turned = machine.new_polygon(base);
-        turned = pooled.polygon;  // into the pool's memory
-        mirror_u(turned);
-        translate(turned, {pooled.natural.x, 0});
-        const_cast<PooledPolygon&>(machine.polygon_of(base)).natural = pooled.natural;
-        framed(base);
-      }
+    case Form::prism:
+      push_prism_faces(machine, shape);
       break;
-    }
     case Form::mesh:
       push_mesh_faces(machine, shape);
       break;

@@ -191,9 +191,9 @@ bool is_later_operation(std::string_view name) {
 }
 
 bool is_later_word(std::string_view parameter, std::string_view word) {
-  return std::ranges::any_of(later_words, [&](const LaterWords& later) {
-    return later.parameter == parameter && !word.empty() &&
-           std::ranges::find(later.words, word) != later.words.end();
+  return std::ranges::any_of(later_words, [&](const LaterWords& known) {
+    return known.parameter == parameter && !word.empty() &&
+           std::ranges::find(known.words, word) != known.words.end();
   });
 }
 
