@@ -83,7 +83,7 @@ Roof flat_roof(const Polygon& polygon, const RoofOptions& options) {
   std::optional<Cleaned> cleaned;
   if (slab || parapet) cleaned = clean(polygon, {});
   if (cleaned && cleaned->moved) roof.fallback = 2;
-  const Polygon& outline = cleaned ? cleaned->polygon : polygon;
+  Polygon outline = cleaned ? cleaned->polygon : polygon;
   double up = 0;
   if (cleaned && slab) up = add_slab(roof, outline, options);
   if (cleaned && parapet) add_parapet(roof, outline, up, options);
