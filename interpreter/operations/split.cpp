@@ -96,7 +96,7 @@ void cut_slice(Context& c, const Direction& d, double low, double high, F f) {
 }
 
 /// What is wrong with the value of a size, if anything.
-void check_size(Machine& machine, ExprId at, const Value& v, syntax::SizeKind kind) {
+void check_size(Machine& machine, ExprId at, const Value& v) {
   if (v.type != Type::number) {
     machine.fail(machine.program.spans[at],
                  "a size is a number or a list of numbers, not " + std::string(described(v.type)));
@@ -115,7 +115,6 @@ void check_size(Machine& machine, ExprId at, const Value& v, syntax::SizeKind ki
     d.help = "max(0, ...) keeps it from falling below 0";
     throw Failure(std::move(d));
   }
-  (void)kind;
 }
 
 void read_size(Machine& machine, const SizeExpr& size, const Env& env,
@@ -123,12 +122,12 @@ void read_size(Machine& machine, const SizeExpr& size, const Env& env,
   const Value v = machine.evaluate(size.value, env);
   if (v.type == Type::list) {
     for (const Value& item : v.list()) {
-      check_size(machine, size.value, item, size.kind);
+      check_size(machine, size.value, item);
       out.push_back({size.kind, item.number});
     }
     return;
   }
-  check_size(machine, size.value, v, size.kind);
+  check_size(machine, size.value, v);
   out.push_back({size.kind, v.number});
 }
 

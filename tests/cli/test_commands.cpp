@@ -246,7 +246,7 @@ TEST_CASE("help knows every command, operation, function and topic") {
   CHECK_FALSE(all.is_discarded());
 }
 
-TEST_CASE("check starts in under 10 ms") {
+TEST_CASE("check starts at once: 10 ms, three times that on a busy machine") {
   std::vector<double> times;
   for (int i = 0; i < 9; ++i) {
     const auto begun = std::chrono::steady_clock::now();
