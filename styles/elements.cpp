@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "styles/complaint.hpp"
@@ -68,6 +69,9 @@ const auto& entries_of(const syntax::Block& block, const MaterialBinding*) {
   return block.materials;
 }
 
+auto& endings_of(LinkedStyle& style, const ElementBinding*) { return style.ended_elements; }
+auto& endings_of(LinkedStyle& style, const MaterialBinding*) { return style.ended_materials; }
+
 void note_entry(ElementBinding&, const syntax::ElementEntry&) {}
 void note_entry(MaterialBinding& binding, const syntax::MaterialEntry& entry) {
   if (!binding.entry || entry.kind == EntryKind::set || entry.per) binding.entry = &entry;
@@ -99,6 +103,10 @@ class Fold {
   /// ancestor's entry is right or wrong in its own order, whatever an heir's other parents do.
   const std::set<const Style*>& at_fault() const { return at_fault_; }
 
+  using Endings = std::remove_reference_t<decltype(endings_of(
+      std::declval<LinkedStyle&>(), static_cast<const Binding*>(nullptr)))>;
+  Endings take_endings() { return std::move(endings_); }
+
  private:
   template <class Entry>
   void apply(const Entry& entry, const Origin& from) {
@@ -110,6 +118,7 @@ class Fold {
       case EntryKind::add: {
         Binding& binding = at(symbol);
         if (entry.kind == EntryKind::set || !present) {
+          for (const auto& choice : binding.alternatives) end(choice, entry.at, from);
           binding = Binding{};
           binding.symbol = symbol;
         }
@@ -122,11 +131,12 @@ class Fold {
       case EntryKind::take:
         if (!present) return complain_of_symbol(entry, from);
         for (const auto& alternative : entry.alternatives) {
-          take(bindings_[place->second], alternative, from);
+          take(bindings_[place->second], alternative, entry.at, from);
         }
         break;
       case EntryKind::remove:
         if (!present) return complain_of_symbol(entry, from);
+        for (const auto& c : bindings_[place->second].alternatives) end(c, entry.at, from);
         bindings_[place->second].alternatives.clear();
         break;
     }
@@ -138,9 +148,18 @@ class Fold {
     return bindings_[place->second];
   }
 
+  template <class Choice>
+  void end(const Choice& choice, Span entry, const Origin& from) {
+    endings_[choice.syntax] = {from, entry};
+  }
+
   template <class Alternative>
-  void take(Binding& binding, const Alternative& wanted, const Origin& from) {
-    const auto taken = [&](const auto& choice) { return means(wanted, *choice.syntax); };
+  void take(Binding& binding, const Alternative& wanted, Span entry, const Origin& from) {
+    const auto taken = [&](const auto& choice) {
+      if (!means(wanted, *choice.syntax)) return false;
+      end(choice, entry, from);
+      return true;
+    };
     if (std::erase_if(binding.alternatives, taken) > 0) return;
     std::vector<std::string_view> candidates;
     std::vector<Note> notes;
@@ -186,6 +205,7 @@ class Fold {
   const Order& order_;
   const Replacements replaced_;
   std::vector<Binding> bindings_;
+  Endings endings_;
   std::unordered_map<std::string_view, std::size_t> places_;
   std::set<const Style*> at_fault_;
 };
@@ -195,6 +215,7 @@ std::vector<Binding> fold(Linking& linking) {
   const Order& order = linking.ancestry.order();
   Fold<Binding> own(linking, order);
   std::vector<Binding> bindings = own.run();
+  endings_of(linking.result, static_cast<const Binding*>(nullptr)) = own.take_endings();
   for (const Style* style : order) {
     if (style == order.front() || !own.at_fault().contains(style)) continue;
     Fold<Binding>(linking, linking.ancestry.order_of(*style)).run();

@@ -30,7 +30,7 @@ class Table {
 class Gatherer {
  public:
   explicit Gatherer(const Order& order)
-      : order_(order), members_{{}, {}, {}, {}, {}, Replacements(order)} {}
+      : order_(order), members_{{}, {}, {}, {}, {}, {}, {}, Replacements(order)} {}
 
   // Twice: from the base for the order of the slots, then from the derived style to fill them.
   Members gather() {
@@ -49,6 +49,9 @@ class Gatherer {
   }
 
   void add(const syntax::Block& block, const Origin& from, std::size_t rank) {
+    for (const auto& entry : block.elements) put(elements_, {}, entry, {from.style, &block}, rank);
+    for (const auto& entry : block.materials)
+      put(materials_, {}, entry, {from.style, &block}, rank);
     if (block.kind != syntax::BlockKind::rules) return;
     if (!filling_ && known_blocks_.insert(block.name.text).second) {
       members_.blocks.push_back(block.name.text);
@@ -76,9 +79,18 @@ class Gatherer {
   }
 
   template <class T>
+  static std::string_view name_of(const T& member) {
+    if constexpr (requires { member.symbol; }) {
+      return member.symbol.text;
+    } else {
+      return member.name.text;
+    }
+  }
+
+  template <class T>
   void put(Table<T>& table, std::string_view block, const T& member, const Origin& from,
            std::size_t rank) {
-    Slot<T>& slot = table.at(block, member.name.text);
+    Slot<T>& slot = table.at(block, name_of(member));
     if (!filling_) return;
     slot.given.push_back(
         {&member, from, rank, from.block && members_.replaced.drops(*from.block, rank)});
@@ -90,6 +102,8 @@ class Gatherer {
   Table<syntax::AbstractSymbol> abstract_symbols_{members_.abstract_symbols};
   Table<syntax::Variable> variables_{members_.variables};
   Table<syntax::Function> functions_{members_.functions};
+  Table<syntax::ElementEntry> elements_{members_.elements};
+  Table<syntax::MaterialEntry> materials_{members_.materials};
   std::set<std::string_view> known_blocks_;
   bool filling_ = false;
 };

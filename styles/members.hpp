@@ -43,7 +43,8 @@ struct Given {
 };
 
 /// All writings of one name, the most derived style's first, within a style in text order.
-/// `block` is empty for style-wide members and for symbols, which are global to the style.
+/// `block` is empty for style-wide members and for symbols and their entries, which are global to
+/// the style.
 template <class T>
 struct Slot {
   std::string_view block, name;
@@ -56,6 +57,8 @@ struct Members {
   std::vector<Slot<syntax::AbstractSymbol>> abstract_symbols;
   std::vector<Slot<syntax::Variable>> variables;
   std::vector<Slot<syntax::Function>> functions;
+  std::vector<Slot<syntax::ElementEntry>> elements;
+  std::vector<Slot<syntax::MaterialEntry>> materials;
   std::vector<std::string_view> blocks;  ///< those of rules
   Replacements replaced;
 };

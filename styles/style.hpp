@@ -68,6 +68,12 @@ struct MaterialBinding {
   std::vector<MaterialChoice> alternatives;
 };
 
+/// Who replaced an alternative of an element or material, or took it away.
+struct Ending {
+  Origin from;
+  Span at;  ///< of the entry that did
+};
+
 struct LinkedStyle {
   const syntax::Style* syntax = nullptr;
   std::vector<const syntax::Style*> order;  ///< C3, itself first
@@ -78,6 +84,9 @@ struct LinkedStyle {
   std::vector<FunctionBinding> functions;
   std::vector<ElementBinding> elements;  ///< a symbol that has rules keeps its entry; it rests
   std::vector<MaterialBinding> materials;
+  /// Alternatives that were given and are in force no more.
+  std::unordered_map<const syntax::ElementAlternative*, Ending> ended_elements;
+  std::unordered_map<const syntax::MaterialAlternative*, Ending> ended_materials;
   std::vector<Diagnostic> missing;  ///< abstract members nobody gave: errors once it is derived
 
   std::string_view name() const { return syntax->name.text; }
@@ -93,6 +102,9 @@ struct LinkedStyle {
   std::vector<std::string_view> blocks;  ///< those of rules, base style first
   std::unordered_set<std::string_view> block_set;
 };
+
+/// Some production goes on with the next generation.
+bool uses_super(const Generation& generation);
 
 /// Resolves one style of the library: C3 linearisation, merge of blocks, `replace`, `override`,
 /// `final`, `abstract`, element add and take. Errors and warnings go to `diagnostics`; nullopt when

@@ -38,11 +38,6 @@ bool uses_super(const syntax::Body& body) {
   return std::ranges::any_of(body, [](const syntax::Element& e) { return uses_super(e); });
 }
 
-bool uses_super(const Generation& generation) {
-  return std::ranges::any_of(generation.productions,
-                             [](const Rule* rule) { return uses_super(rule->successor); });
-}
-
 bool says_override(const Generation& generation) {
   return std::ranges::any_of(generation.productions,
                              [](const Rule* rule) { return bool(rule->pre.override); });
@@ -183,6 +178,11 @@ class SymbolCheck {
 };
 
 }  // namespace
+
+bool uses_super(const Generation& generation) {
+  return std::ranges::any_of(generation.productions,
+                             [](const Rule* rule) { return uses_super(rule->successor); });
+}
 
 void check_symbol(Linking& linking, const SymbolRules& symbol, const Given<AbstractSymbol>* asked) {
   SymbolCheck(linking, symbol, asked).check();
