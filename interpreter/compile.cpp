@@ -124,7 +124,8 @@ std::optional<uint16_t> Compiler::style_number(std::string_view name, Reach reac
   style.start = program_.symbols.intern(kept.start);
   program_.style_numbers.emplace(style.name, number);
   for (const Diagnostic& missing : kept.missing) {
-    if (!options_.all_styles) diagnostics_.add(missing);  // check is content with abstract styles
+    // check and explain are content with abstract styles
+    if (!options_.all_styles && !options_.abstract_too) diagnostics_.add(missing);
   }
   pending_.push_back(number);
   declare_rules(number);

@@ -205,6 +205,7 @@ class Machine {
   int super_depth_ = 0;
   std::size_t calls_ = 0;  ///< of functions, and of variables by others, in this building
 
+  friend class BuildingValues;
   friend class Context;
 };
 

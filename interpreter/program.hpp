@@ -275,6 +275,7 @@ struct CompileOptions {
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set NAME=VALUE
   std::string style;        ///< --style; empty: the last of the file
   bool all_styles = false;  ///< check every style of the library, not only those that are reached
+  bool abstract_too = false;  ///< the style may be one that waits for a child to complete it
 };
 
 /// Links and compiles the style and all it can reach. Errors and warnings go to `diagnostics`; null

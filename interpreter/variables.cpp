@@ -20,7 +20,8 @@ Value Machine::variable(uint32_t slot, const Env& env, uint32_t node) {
   }
   if (v.reads_shape && variable_property_[slot] == none) {
     if (depth_ > program.depths[v.value] + 1) count_call(node);
-    const uint64_t draws = env.shape ? stream_of(v.per, v.per_symbol, *env.shape, v.salt) : v.salt;
+    const uint64_t draws = env.shape ? stream_of(v.per, v.per_symbol, *env.shape, v.salt)
+                                     : mix(building_seed_, v.salt);
     return evaluate(v.value, Env{env.shape, nullptr, draws, nullptr});
   }
   if (variable_known_[slot] != building_number_) {
