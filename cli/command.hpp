@@ -35,6 +35,7 @@ int run_derive(const Arguments&);
 int run_check(const Arguments&);
 int run_tree(const Arguments&);
 int run_render(const Arguments&);
+int run_vary(const Arguments&);
 int run_help(const Arguments&);
 
 }  // namespace mansard

@@ -9,7 +9,8 @@ namespace {
 
 constexpr Flag style_flag{"--style", "NAME",
                           "the style to derive (default: the last one of the file)"};
-constexpr Flag seed_flag{"--seed", "N", "another number, another variation (default 0)"};
+constexpr Flag seed_flag{"--seed", "N",
+                         "another number, another variation (default: the style's @seed, else 0)"};
 constexpr Flag set_flag{"--set", "NAME=VALUE",
                         "gives a variable another value: --set Tile.WindowWidth=1.2", true};
 constexpr Flag attr_flag{"--attr", "NAME=VALUE", "a property for every footprint", true};
@@ -100,6 +101,37 @@ constexpr std::array render_flags{
     json_flag,
     quiet_flag,
     color_flag};
+constexpr std::array vary_flags{
+    Flag{"-o,--output", "SHEET.png", "the contact sheet to write"},
+    Flag{"--count", "N", "this many seeds, from --seed on (default 12 when nothing else varies)"},
+    Flag{"--styles", "A,B,C", "a picture of each of these styles"},
+    Flag{"--sweep", "NAME[=VALUES]",
+         "a picture of each value of a variable: from:to:step, or values separated by commas; "
+         "without any, what its @range or @choice says; two make rows and columns",
+         true},
+    Flag{"--export", "DIR",
+         "writes each variation there too, as a model and as a style of three lines"},
+    Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: the same for all pictures"},
+    Flag{"--size", "WxH", "pixels of each picture (default 400x300)"},
+    style_flag,
+    seed_flag,
+    set_flag,
+    attr_flag,
+    lod_flag,
+    threads_flag,
+    select_flag,
+    limit_flag,
+    id_flag,
+    layer_flag,
+    where_flag,
+    path_flag,
+    depth_flag,
+    shapes_flag,
+    strict_flag,
+    Flag{"--keep-going", "", "a picture that fails says why, the others are drawn; exit with 1"},
+    json_flag,
+    quiet_flag,
+    color_flag};
 constexpr std::array help_flags{json_flag};
 
 constexpr std::array rows{
@@ -121,6 +153,14 @@ constexpr std::array rows{
             "mansard render terrace.style rect:6x10 -o terrace.png\nmansard render quarter.obj "
             "--camera street -o street.png",
             run_render},
+    Command{
+        "vary", "FILE.style FOOTPRINTS -o SHEET.png",
+        "draws variations side by side: seeds, styles, or the values of a variable", 2, 2,
+        vary_flags,
+        "mansard vary terrace.style rect:6x10 -o sheet.png\nmansard vary terrace.style rect:6x10 "
+        "--sweep Tile.WindowWidth=0.6:1.4:0.2 --export variations -o sheet.png\nmansard vary "
+        "terrace.style rect:6x10 --styles Terrace,TerraceWithSills --count 4 -o sheet.png",
+        run_vary},
     Command{"help", "[TOPIC]",
             "explains a command, an operation, a function, a warning or a topic of the language", 0,
             1, help_flags,

@@ -1,12 +1,12 @@
 // mansard derive
 #include <chrono>
 #include <filesystem>
-#include <set>
 
 #include "cli/derive_all.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
+#include "cli/said.hpp"
 
 namespace mansard {
 namespace {
@@ -48,30 +48,6 @@ void refuse_own_input(const Arguments& arguments, const std::string& out) {
     throw UsageError("--report and -o name the same file: '" + out + "'");
 }
 
-std::string head_comment(const Session& session, const FootprintSet& set,
-                         const DeriveOptions& options) {
-  const Program& program = session.program();
-  return "style " + std::string(program.styles[program.main_style].name) + ", seed " +
-         std::to_string(options.seed) + (set.origin.empty() ? "" : "\n" + set.origin);
-}
-
-/// Warnings of one place are said once a run.
-class Warnings {
- public:
-  void print(const Session& session, const Building& building) {
-    for (const Diagnostic& d : building.warnings) {
-      if (said_
-              .emplace(std::string(d.code), d.at.source, d.at.begin, d.code == "W012" ? d.text : "")
-              .second) {
-        session.print(d);
-      }
-    }
-  }
-
- private:
-  std::set<std::tuple<std::string, const Source*, uint32_t, std::string>> said_;
-};
-
 std::string summary(const Report& report, std::size_t bytes, const std::string& out) {
   return std::to_string(report.buildings) +
          (report.buildings == 1 ? " building, " : " buildings, ") + std::to_string(report.shapes) +
@@ -80,27 +56,25 @@ std::string summary(const Report& report, std::size_t bytes, const std::string& 
 }
 
 int derive(Job& job) {
-  const DeriveOptions options = derive_options(job.arguments);
+  const Program& program = job.session.program();
+  const DeriveOptions options = derive_options(job.arguments, program);
   const bool keep_going = job.arguments.has("--keep-going");
   std::size_t broken = 0;
   const FootprintSet set =
       footprints(job.session, job.arguments.positional()[1], job.arguments, broken);
   const auto started = std::chrono::steady_clock::now();
   const auto writer =
-      write_obj(job.out, up_of(job.arguments), head_comment(job.session, set, options));
-  const Program& program = job.session.program();
-  std::vector<std::string_view> symbols;
-  for (uint32_t i = 0; i < program.symbols.size(); ++i) symbols.push_back(program.symbols[i]);
+      write_obj(job.out, up_of(job.arguments), model_comment(program, set, options));
+  const std::vector<std::string_view> symbols = symbol_names(program);
   Looks looks(program);
   Report report(program);
-  Warnings warnings;
+  Said said;
   const Totals totals = [&] {
     Progress progress(set.footprints.size(), job.session.quiet());
-    return derive_all(job.session, set.footprints, options,
-                      static_cast<int>(job.arguments.number("--threads", 0, 1, 1024)), keep_going,
-                      [&](Derived& derived) {
+    return derive_all(program, job.session.meshes(), set.footprints, options,
+                      thread_option(job.arguments), keep_going, [&](Derived& derived) {
                         Building& building = derived.building;
-                        warnings.print(job.session, building);
+                        said.print(job.session, building.warnings);
                         for (const std::string& line : building.printed)
                           job.session.say(building.id + ": " + line);
                         progress.step();

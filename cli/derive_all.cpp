@@ -54,9 +54,9 @@ void derive_one(Derivation& derivation, const Footprint& footprint, Derived& res
 
 }  // namespace
 
-Totals derive_all(Session& session, const std::vector<Footprint>& footprints,
-                  const DeriveOptions& options, int threads, bool keep_going,
-                  const std::function<void(Derived&)>& use) {
+Totals derive_all(const Program& program, MeshSource& meshes,
+                  const std::vector<Footprint>& footprints, const DeriveOptions& options,
+                  int threads, bool keep_going, const std::function<void(Derived&)>& use) {
   namespace tbb = oneapi::tbb;
   Totals totals;
   std::signal(SIGINT, ask_to_stop);
@@ -64,7 +64,7 @@ Totals derive_all(Session& session, const std::vector<Footprint>& footprints,
                                         : std::max(1u, std::thread::hardware_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
   tbb::enumerable_thread_specific<Derivation> derivations(
-      [&] { return Derivation(session.program(), session.meshes(), options); });
+      [&] { return Derivation(program, meshes, options); });
   Slots slots;
   std::size_t next = 0;
   bool failed = false;

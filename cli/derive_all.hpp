@@ -22,8 +22,8 @@ struct Totals {
 /// Calls `use` for every footprint in order, from one thread at a time. Without `keep_going` the
 /// first error ends it. Ctrl-C ends it too. The same results in the same order for any number of
 /// threads.
-Totals derive_all(Session& session, const std::vector<Footprint>& footprints,
-                  const DeriveOptions& options, int threads, bool keep_going,
-                  const std::function<void(Derived&)>& use);
+Totals derive_all(const Program& program, MeshSource& meshes,
+                  const std::vector<Footprint>& footprints, const DeriveOptions& options,
+                  int threads, bool keep_going, const std::function<void(Derived&)>& use);
 
 }  // namespace mansard

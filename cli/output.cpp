@@ -44,6 +44,18 @@ void Looks::adopt(Building& building) {
   }
 }
 
+std::vector<std::string_view> symbol_names(const Program& program) {
+  std::vector<std::string_view> names;
+  for (uint32_t i = 0; i < program.symbols.size(); ++i) names.push_back(program.symbols[i]);
+  return names;
+}
+
+std::string model_comment(const Program& program, const FootprintSet& set,
+                          const DeriveOptions& options) {
+  return "style " + std::string(program.styles[program.main_style].name) + ", seed " +
+         std::to_string(options.seed) + (set.origin.empty() ? "" : "\n" + set.origin);
+}
+
 Vec3 linear(Vec3 c) {
   const auto decode = [](double v) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);

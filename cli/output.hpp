@@ -6,8 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "formats/footprints.hpp"
 #include "formats/surface_writer.hpp"
 #include "interpreter/building.hpp"
+#include "interpreter/derivation.hpp"
 #include "interpreter/program.hpp"
 #include "render/picture.hpp"
 
@@ -30,6 +32,11 @@ class Looks {
   std::vector<Look> looks_;
   std::unordered_map<std::string, uint32_t> numbers_;
 };
+
+std::vector<std::string_view> symbol_names(const Program& program);
+/// What stands in the head of a model: style, seed, and how to get back to the footprints' place.
+std::string model_comment(const Program& program, const FootprintSet& set,
+                          const DeriveOptions& options);
 
 /// sRGB to linear, per channel.
 Vec3 linear(Vec3 srgb);

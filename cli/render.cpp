@@ -1,38 +1,12 @@
 // mansard render
-#include "render/picture.hpp"
-
-#include <cmath>
-
 #include "cli/derive_all.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "formats/meshes.hpp"
 
 namespace mansard {
 namespace {
-
-PictureOptions picture_options(const Arguments& arguments) {
-  PictureOptions options;
-  if (const auto text = arguments.value("--camera")) {
-    const auto camera = parse_camera(*text);
-    if (!camera)
-      throw UsageError("--camera takes iso, street or x,y,z,tx,ty,tz, not '" + *text + "'");
-    options.camera = *camera;
-  }
-  if (const auto text = arguments.value("--size")) {
-    int width = 0, height = 0, end = 0;
-    const bool read = std::sscanf(text->c_str(), "%5dx%5d%n", &width, &height, &end) == 2;
-    if (!read || static_cast<std::size_t>(end) != text->size() || width < 16 || height < 16 ||
-        width > 16000 || height > 16000) {
-      throw UsageError("--size takes WIDTHxHEIGHT in pixels from 16x16 to 16000x16000, not '" +
-                       *text + "'");
-    }
-    options.width = width;
-    options.height = height;
-  }
-  options.threads = static_cast<int>(arguments.number("--threads", 0, 1, 1024));
-  return options;
-}
 
 /// A model's faces as a surface, its materials as paints.
 void add_model(const std::string& path, Scene& scene) {
@@ -68,9 +42,9 @@ std::optional<std::size_t> add_derivation(Session& session, const Arguments& arg
   const FootprintSet set = footprints(session, arguments.positional()[1], arguments, failed);
   Looks looks(session.program());
   Progress progress(set.footprints.size(), session.quiet());
-  const Totals totals = derive_all(session, set.footprints, derive_options(arguments),
-                                   static_cast<int>(arguments.number("--threads", 0, 1, 1024)),
-                                   keep_going, [&](Derived& derived) {
+  const Totals totals = derive_all(session.program(), session.meshes(), set.footprints,
+                                   derive_options(arguments, session.program()),
+                                   thread_option(arguments), keep_going, [&](Derived& derived) {
                                      progress.step();
                                      if (derived.error) return session.print(*derived.error);
                                      looks.adopt(derived.building);
@@ -92,12 +66,7 @@ int draw(Session& session, const Arguments& arguments, const PictureOptions& opt
   } else {
     add_model(arguments.positional()[0], scene);
   }
-  if (!write_png(render(scene, options), out)) {
-    Diagnostic d;
-    d.text = "can not write '" + out + "'";
-    d.help = "is there such a folder, and room on the disk?";
-    throw Failure(std::move(d));
-  }
+  write_picture(render(scene, options), out);
   session.say("picture: " + out);
   return failed > 0 ? exit_input : exit_done;
 }
@@ -105,10 +74,8 @@ int draw(Session& session, const Arguments& arguments, const PictureOptions& opt
 }  // namespace
 
 int run_render(const Arguments& arguments) {
-  const PictureOptions options = picture_options(arguments);
-  const auto out = arguments.value("--output");
-  if (!out || !out->ends_with(".png"))
-    throw UsageError("say where the picture goes: -o PICTURE.png");
+  const PictureOptions options = picture_options(arguments, {1200, 800});
+  const std::string out = picture_output(arguments);
   const bool is_style = arguments.positional()[0].ends_with(".style");
   if (is_style != (arguments.positional().size() == 2)) {
     throw UsageError(
@@ -116,7 +83,7 @@ int run_render(const Arguments& arguments) {
         "PICTURE.png");
   }
   Session session(arguments);
-  return session.guard([&] { return draw(session, arguments, options, *out); });
+  return session.guard([&] { return draw(session, arguments, options, out); });
 }
 
 }  // namespace mansard

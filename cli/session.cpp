@@ -75,15 +75,21 @@ CompileOptions compile_options(const Arguments& arguments) {
   return options;
 }
 
-DeriveOptions derive_options(const Arguments& arguments) {
+DeriveOptions derive_options(const Arguments& arguments, const Program& program) {
   DeriveOptions options;
-  options.seed = static_cast<uint64_t>(arguments.number("--seed", 0, 0, 1'000'000'000'000'000));
+  const uint64_t carried = program.styles[program.main_style].linked->seed.value_or(0);
+  options.seed = static_cast<uint64_t>(
+      arguments.number("--seed", static_cast<long long>(carried), 0, 1'000'000'000'000'000));
   options.lod = static_cast<int>(arguments.number("--lod", 3, 1, 3));
   options.max_depth = static_cast<uint32_t>(arguments.number("--max-depth", 1000, 1, 60000));
   options.max_shapes =
       static_cast<std::size_t>(arguments.number("--max-shapes", 5'000'000, 1, 1'000'000'000));
   options.strict = arguments.has("--strict");
   return options;
+}
+
+int thread_option(const Arguments& arguments) {
+  return static_cast<int>(arguments.number("--threads", 0, 1, 1024));
 }
 
 FootprintOptions footprint_options(const Arguments& arguments) {

@@ -62,7 +62,10 @@ class Session {
 };
 
 CompileOptions compile_options(const Arguments& arguments);
-DeriveOptions derive_options(const Arguments& arguments);
+/// Without --seed it is the one that the style to be derived carries, else 0.
+DeriveOptions derive_options(const Arguments& arguments, const Program& program);
+/// --threads; 0: all.
+int thread_option(const Arguments& arguments);
 FootprintOptions footprint_options(const Arguments& arguments);
 /// Reads, marks neighbours, says what was repaired. With `keep_going` broken footprints are
 /// reported and left out (`failed` counts them), else they are a Failure.

@@ -77,6 +77,7 @@ property Block.Name (a bare Name for variables of the style only), the most deri
   @per("shape") var Width = rand(1, 2)   drawn once a shape; without @per once a building
 
 A variable that reads the shape is evaluated at each use. Text such as 12.5 m or 40' reads as a number.
+@seed(7) before a style gives it a seed for where --seed is not given.
 BUILDING_HEIGHT, BUILDING_LEVELS, BUILDING_NAME and BUILDING_USE are read from height, min_height,
 building:levels, name, use and building.)"},
     Topic{"inheritance", "Styles that inherit",

@@ -131,7 +131,7 @@ int tree(Session& session, const Arguments& arguments) {
     session.say("note: the tree is of the first of " + std::to_string(set.footprints.size()) +
                 " footprints, '" + set.footprints[0].id + "'; --select id=ID chooses another");
   }
-  DeriveOptions options = derive_options(arguments);
+  DeriveOptions options = derive_options(arguments, session.program());
   options.keep_tree = true;
   Derivation derivation(session.program(), session.meshes(), options);
   Building building;

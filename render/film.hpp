@@ -44,6 +44,12 @@ struct Film {
   Float3 point(int x, int row) const { return lens.eye + ray(x, row) * seen[at(x, row)].depth; }
 };
 
+/// Whether memory and numbers can hold such a picture.
+bool is_possible(const PictureOptions& options);
+/// What the lens sees, with all of the below; the options must be possible.
+Picture paint(const World& world, const Tracer& tracer, const Lens& lens,
+              const PictureOptions& options);
+
 /// Fills everything but ink.
 void expose(Film& film, const World& world, const Tracer& tracer, const Lighting& lighting,
             int samples);

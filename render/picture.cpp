@@ -13,13 +13,19 @@ constexpr int band_samples = 1'500'000;
 }  // namespace
 
 Picture render(const Scene& scene, const PictureOptions& options) {
-  if (options.width < 1 || options.height < 1 || options.width > largest_side ||
-      options.height > largest_side) {
-    return {};
-  }
+  if (!is_possible(options)) return {};
   const World world(scene);
   const Tracer tracer(world);
-  const Lens lens = aim(world, tracer, options);
+  return paint(world, tracer, aim(world, tracer, options), options);
+}
+
+bool is_possible(const PictureOptions& options) {
+  return options.width >= 1 && options.height >= 1 && options.width <= largest_side &&
+         options.height <= largest_side;
+}
+
+Picture paint(const World& world, const Tracer& tracer, const Lens& lens,
+              const PictureOptions& options) {
   const Lighting lighting(world, tracer, lens.forward);
   // Of a pixel's samples three quarters look at the sky and half at the sun; each of its two by two
   // points takes its part.

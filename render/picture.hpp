@@ -57,7 +57,7 @@ Picture render(const Scene& scene, const PictureOptions& options);
 /// `street`, `iso` or `x,y,z,tx,ty,tz`; nothing for other text.
 std::optional<Camera> parse_camera(std::string_view text);
 
-/// Written beside and renamed; false when that is not possible.
-bool write_png(const Picture& picture, const std::string& path);
+/// The bytes of a PNG file; none for a picture without pixels or with too few.
+std::string encode_png(const Picture& picture);
 
 }  // namespace mansard

@@ -1,9 +1,5 @@
 #include "render/png.hpp"
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -19,32 +15,18 @@ void append(void* bytes, void* data, int size) {
                                            static_cast<std::size_t>(size));
 }
 
-bool write_whole(const std::string& bytes, const std::string& path) {
-  const std::string beside = path + ".part";
-  std::error_code error;
-  {
-    std::ofstream out(beside, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (out) std::filesystem::rename(beside, path, error);
-    if (out && !error) return true;
-  }
-  std::filesystem::remove(beside, error);
-  return false;
-}
-
 }  // namespace
 
-bool write_png(const Picture& picture, const std::string& path) {
+std::string encode_png(const Picture& picture) {
   const bool is_complete = picture.width > 0 && picture.height > 0 &&
                            picture.rgb.size() == std::size_t{3} *
                                                      static_cast<std::size_t>(picture.width) *
                                                      static_cast<std::size_t>(picture.height);
-  if (!is_complete) return false;
   std::string bytes;
+  if (!is_complete) return bytes;
   const bool done = stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3,
                                            picture.rgb.data(), 3 * picture.width) != 0;
-  return done && write_whole(bytes, path);
+  return done ? bytes : std::string();
 }
 
 Picture read_picture(const std::string& path) {

@@ -42,8 +42,19 @@ Float3 valid_color(Vec3 color) {
 
 World::World(const Scene& scene) {
   read_looks(scene);
+  find_triangles(scene);
   read_triangles(scene);
   stand_on_ground();
+}
+
+World::World(const Scene& scene, const World& frame) {
+  read_looks(scene);
+  find_triangles(scene);
+  origin = frame.origin;
+  read_triangles(scene);
+  low = frame.low;
+  high = frame.high;
+  radius = frame.radius;
 }
 
 void World::read_looks(const Scene& scene) {
@@ -61,7 +72,8 @@ void World::read_looks(const Scene& scene) {
   looks.push_back({valid_color(Paint{}.color), false, nullptr});
 }
 
-void World::read_triangles(const Scene& scene) {
+/// Those that can be drawn, and from their bounds the frame's origin.
+void World::find_triangles(const Scene& scene) {
   // The frame's origin is a whole number of metres, so that the shift itself rounds nothing.
   const std::size_t count = scene.points.size() / 9;
   constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -77,10 +89,12 @@ void World::read_triangles(const Scene& scene) {
   }
   if (source.empty()) return;
   origin = {std::round((least.x + most.x) / 2.0), least.y, std::round((least.z + most.z) / 2.0)};
+}
 
+void World::read_triangles(const Scene& scene) {
   bool has_texture = false;
   for (const Look& l : looks) has_texture = has_texture || l.texture != nullptr;
-  has_texture = has_texture && scene.uvs.size() >= 6 * count;
+  has_texture = has_texture && scene.uvs.size() * 3 >= scene.points.size() * 2;
   const auto no_paint = static_cast<uint32_t>(looks.size() - 1);
   for (const uint32_t t : source) {
     look.push_back(t < scene.paint.size() ? std::min(scene.paint[t], no_paint) : no_paint);

@@ -32,6 +32,8 @@ struct World {
   float radius = 10;             ///< metres from the middle of the bounds, on the ground
 
   explicit World(const Scene& scene);
+  /// In the frame of another world: on its ground, in its light, seen by its lenses.
+  World(const Scene& scene, const World& frame);
 
   std::size_t triangles() const { return source.size(); }
   Float3 middle() const { return (low + high) * 0.5F; }
@@ -44,6 +46,7 @@ struct World {
 
  private:
   void read_looks(const Scene& scene);
+  void find_triangles(const Scene& scene);
   void read_triangles(const Scene& scene);
   void stand_on_ground();
 

@@ -38,6 +38,11 @@ const syntax::File* Library::load(const std::string& path, Diagnostics& diagnost
   return file;
 }
 
+const syntax::File* Library::add(const std::string& path, std::string text,
+                                 Diagnostics& diagnostics) {
+  return read({path, std::move(text)}, {}, diagnostics);
+}
+
 // Beside the importing file, then in the folders of the style path.
 const syntax::File* Library::load_import(const syntax::Import& import, Diagnostics& diagnostics) {
   const auto* path = import.path ? std::get_if<syntax::Text>(&import.path->is) : nullptr;

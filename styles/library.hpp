@@ -24,6 +24,9 @@ class Library {
   /// or null when it can not be read at all. A library can load several scripts.
   const syntax::File* load(const std::string& path, Diagnostics& diagnostics);
 
+  /// A script that is no file: read as if `path` held `text`. It is not what default_style() means.
+  const syntax::File* add(const std::string& path, std::string text, Diagnostics& diagnostics);
+
   /// All styles loaded, in order of reading: imports before the file that names them.
   const std::vector<const syntax::Style*>& styles() const { return styles_; }
   const syntax::Style* find(std::string_view name) const;

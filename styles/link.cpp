@@ -22,6 +22,7 @@ std::optional<LinkedStyle> link(const Library& library, const syntax::Style& sty
   check_declarations(linking);
   check_overriding(linking);
   link_start(linking);
+  link_seed(linking);
   link_symbols(linking);
   link_variables(linking);
   link_functions(linking);

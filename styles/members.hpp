@@ -87,6 +87,7 @@ struct Linking {
 void check_declarations(Linking& linking);
 void check_overriding(Linking& linking);
 void link_start(Linking& linking);
+void link_seed(Linking& linking);
 void link_symbols(Linking& linking);
 /// `asked` is the `abstract` that says how many parameters there are; may be null.
 void check_symbol(Linking& linking, const SymbolRules& symbol,

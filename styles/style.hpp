@@ -79,6 +79,7 @@ struct LinkedStyle {
   std::vector<const syntax::Style*> order;  ///< C3, itself first
   std::string_view start = "FOOTPRINT";
   Span start_at;
+  std::optional<uint64_t> seed;      ///< of the most derived @seed, 0 to 1e15
   std::vector<SymbolRules> symbols;  ///< those with productions
   std::vector<VariableBinding> variables;
   std::vector<FunctionBinding> functions;

@@ -270,7 +270,7 @@ TEST_CASE("a texture shows, the right way up; a missing one is the plain colour"
   // Red above, blue below.
   Picture flag{2, 2, {200, 20, 20, 200, 20, 20, 20, 20, 200, 20, 20, 200}};
   const fs::path path = scratch("flag.png");
-  REQUIRE(write_png(flag, path.string()));
+  std::ofstream(path, std::ios::binary) << encode_png(flag);
   const PictureOptions front = from({3, 3, 30}, {3, 3, 0});
   const Picture picture = render(box_scene({6, 6, 6}, {{0, 1, 0}, false, path.string()}), front);
   const Color upper = color_at(picture, 0.5, 0.40), lower = color_at(picture, 0.5, 0.62);
@@ -282,24 +282,16 @@ TEST_CASE("a texture shows, the right way up; a missing one is the plain colour"
   CHECK(plain[1] > plain[0] + 60);
 }
 
-TEST_CASE("a PNG is written whole or not at all") {
+TEST_CASE("a PNG holds its picture; without pixels there is none") {
   const Picture picture{3, 2, {0, 1, 2, 3, 4, 5, 6, 7, 8, 255, 254, 253, 100, 0, 9, 1, 1, 1}};
   const fs::path path = scratch("whole.png");
-  REQUIRE(write_png(picture, path.string()));
+  std::ofstream(path, std::ios::binary) << encode_png(picture);
   const Picture back = read_picture(path.string());
   CHECK(back.width == 3);
   CHECK(back.height == 2);
   CHECK(back.rgb == picture.rgb);
-
-  fs::create_directories(scratch("folder.png") / "within");
-  CHECK_FALSE(write_png(picture, scratch("folder.png").string()));
-  for (const auto& file : fs::directory_iterator(path.parent_path())) {
-    CHECK(file.path().extension() != ".part");
-  }
-  CHECK_FALSE(write_png(picture, scratch("no/such/folder.png").string()));
-  CHECK_FALSE(write_png({}, scratch("empty.png").string()));
-  CHECK_FALSE(write_png({3, 2, {1, 2, 3}}, scratch("short.png").string()));
-  CHECK_FALSE(fs::exists(scratch("short.png")));
+  CHECK(encode_png({}).empty());
+  CHECK(encode_png({3, 2, {1, 2, 3}}).empty());
   std::ofstream(scratch("broken.png")) << "this is no picture";
   CHECK(read_picture(scratch("broken.png").string()).rgb.empty());
 }

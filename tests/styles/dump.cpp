@@ -76,7 +76,9 @@ std::string dump_head(const LinkedStyle& style) {
 }
 
 std::string dump_body(const LinkedStyle& style) {
-  std::string text = "start " + std::string(style.start) + "\nblocks";
+  std::string text = "start " + std::string(style.start);
+  if (style.seed) text += "\nseed " + std::to_string(*style.seed);
+  text += "\nblocks";
   for (const std::string_view block : style.blocks) text.append(" ").append(block);
   text += "\n";
   for (const auto& variable : style.variables) text += dump(variable);
