@@ -58,6 +58,13 @@ constexpr std::array derive_flags{
     quiet_flag,
     color_flag};
 constexpr std::array check_flags{path_flag, set_flag, json_flag, quiet_flag, color_flag};
+constexpr std::array format_flags{
+    Flag{"--write", "", "change the files in place, those that need it"},
+    Flag{"--diff", "", "print what would change, as a unified diff"},
+    Flag{"--check", "", "name the files that would change and exit with 1; for tests"},
+    json_flag,
+    quiet_flag,
+    color_flag};
 constexpr std::array tree_flags{
     style_flag,
     seed_flag,
@@ -143,6 +150,12 @@ constexpr std::array rows{
     Command{"check", "FILE.style...",
             "reads, links and checks scripts without deriving: every error and warning at once", 1,
             10000, check_flags, "mansard check terrace.style", run_check},
+    Command{"format", "[FILE.style...]",
+            "lays scripts out anew; from standard input without a file or for -", 0, 10000,
+            format_flags,
+            "mansard format terrace.style\nmansard format --write styles/*.style\nmansard format "
+            "--check --diff styles/*.style",
+            run_format},
     Command{"tree", "FILE.style FOOTPRINT", "prints the shape tree of a footprint", 2, 2,
             tree_flags,
             "mansard tree terrace.style rect:6x10 --depth 3\nmansard tree terrace.style rect:6x10 "

@@ -28,6 +28,7 @@ OutputFile::OutputFile(const std::string& path)
   }
   // A link stays a link: what it points to is replaced.
   std::error_code unresolved;
+  if (exists) mode_ = status.st_mode & 0777;
   target_ = exists ? fs::canonical(path, unresolved).string() : path;
   if (unresolved) target_ = path;
   static std::atomic<unsigned> count = 0;
@@ -43,9 +44,11 @@ void OutputFile::open_temporary() {
     nameless_ = file_ >= 0;
   }
   if (!nameless_) file_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file_ >= 0) return;
-  temporary_.clear();
-  fail(errno);
+  if (file_ < 0) {
+    temporary_.clear();
+    fail(errno);
+  }
+  if (mode_ >= 0) fchmod(file_, static_cast<mode_t>(mode_));
 }
 
 OutputFile::~OutputFile() {

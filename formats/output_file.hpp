@@ -9,7 +9,8 @@
 
 namespace mansard {
 
-/// Writes beside `path` and renames at commit(); destroyed before, it removes what it wrote. A path
+/// Writes beside `path` and renames at commit(); destroyed before, it removes what it wrote. A file
+/// that is replaced keeps its permissions, a link stays a link. A path
 /// that names something else than a file (/dev/stdout, a pipe) is written straight to. Throws
 /// Failure with the path and the system's words.
 class OutputFile {
@@ -43,6 +44,7 @@ class OutputFile {
   char* at_ = nullptr;
   std::size_t flushed_ = 0;
   int file_ = -1;
+  int mode_ = -1;  ///< permissions of the file that is replaced
   bool regular_ = true;
   bool nameless_ = false;  ///< has no name before commit()
 };

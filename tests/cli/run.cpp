@@ -11,9 +11,11 @@
 
 namespace mansard::test {
 
-Run run(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+Run run(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+        const std::string& input) {
   const TemporaryFolder streams;
-  const std::string out = streams / "out", err = streams / "err";
+  const std::string in = streams / "in", out = streams / "out", err = streams / "err";
+  std::ofstream(in, std::ios::binary) << input;
   std::vector<char*> argv;
   std::string program = MANSARD_PROGRAM;
   argv.push_back(program.data());
@@ -25,7 +27,9 @@ Run run(const std::vector<std::string>& arguments, const std::filesystem::path& 
     const auto replace = [](int stream, const std::string& path) {
       return dup2(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), stream);
     };
-    if (replace(1, out) < 0 || replace(2, err) < 0 || chdir(folder.c_str()) != 0) _exit(99);
+    if (dup2(open(in.c_str(), O_RDONLY), 0) < 0 || replace(1, out) < 0 || replace(2, err) < 0 ||
+        chdir(folder.c_str()) != 0)
+      _exit(99);
     execv(argv[0], argv.data());
     _exit(98);
   }

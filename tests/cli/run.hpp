@@ -12,8 +12,9 @@ struct Run {
   std::string out, err;
 };
 
-/// `mansard` with these arguments, started in `folder`.
-Run run(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".");
+/// `mansard` with these arguments, started in `folder`, with `input` on its standard input.
+Run run(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
+        const std::string& input = {});
 
 std::string contents(const std::filesystem::path& path);
 

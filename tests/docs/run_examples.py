@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the scripts that people read: tests/docs/run_examples.py MANSARD docs|examples
+"""Runs the scripts that people read: tests/docs/run_examples.py MANSARD docs|examples|format
 
 docs: every block ```style of README.md and docs/*.md is checked and derived on rect:10x8; an error
 fails. A block that holds a style stands alone. Any other is a fragment: blocks (`Tile { ... }`) or
@@ -7,6 +7,9 @@ bare rules; it is put into a style whose FOOTPRINT, unless the fragment has its 
 with the symbols FACADE and ROOF, so a fragment has rules for one of these three.
 
 examples: every examples/*.style is run by the command that its comments give after `run:`.
+
+format: every script in examples/ and styles/library/ stands as `mansard format` lays it out, but for
+the listings, which are kept as they were given.
 """
 import re
 import shlex
@@ -57,7 +60,7 @@ def run(mansard, words, where):
         return f"{where}: nothing was drawn\n{done.stderr}"
     if done.returncode == 0:
         return None
-    return f"{where}: mansard {shlex.join(words)} exits with {done.returncode}\n{done.stderr}"
+    return f"{where}: mansard {shlex.join(words)} exits with {done.returncode}\n{done.stderr}{done.stdout}"
 
 
 def run_docs(mansard, folder):
@@ -92,10 +95,20 @@ def run_examples(mansard, folder):
         return list(pool.map(one, sorted((ROOT / "examples").rglob("*.style"))))
 
 
+def check_format(mansard, _):
+    scripts = [path for folder in ("examples", "styles/library")
+               for path in sorted((ROOT / folder).rglob("*.style")) if path.name != "listings.style"]
+
+    def one(path):
+        return run(mansard, ["format", "--check", "--diff", str(path)], path.relative_to(ROOT))
+
+    return [one(path) for path in scripts]
+
+
 def main():
     mansard, what = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
-        results = {"docs": run_docs, "examples": run_examples}[what](mansard, Path(folder))
+        results = {"docs": run_docs, "examples": run_examples, "format": check_format}[what](mansard, Path(folder))
     problems = [p for p in results if p]
     print("\n".join(problems))
     print(f"{what}: {len(results)} scripts, {len(problems)} fail")
