@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "formats/obj_names.hpp"
+
 namespace mansard {
 namespace {
 
@@ -28,7 +30,8 @@ uint32_t Looks::number(const Material& material) {
   if (!fresh) return it->second;
   Look look = look_of(material);
   const auto taken = [&](const std::string& name) {
-    return std::ranges::any_of(looks_, [&](const Look& l) { return l.name == name; });
+    return std::ranges::any_of(looks_,
+                               [&](const Look& l) { return safe_name(l.name) == safe_name(name); });
   };
   for (int i = 2; taken(look.name); ++i) look.name = material.name + "_" + std::to_string(i);
   looks_.push_back(std::move(look));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -28,6 +29,12 @@ class Text final : public std::streambuf {
       joined_[at] = joined_[at + 1] = ' ';
     }
     setg(joined_.data(), joined_.data(), joined_.data() + joined_.size());
+  }
+  /// The line that was read last.
+  std::string_view current() const {
+    const std::string_view read(eback(), static_cast<std::size_t>(gptr() - eback()));
+    const std::string_view whole = read.substr(0, read.find_last_not_of("\r\n") + 1);
+    return whole.substr(whole.find_last_of("\r\n") + 1);
   }
   std::size_t line() const {
     const auto read = gptr() - eback();
@@ -77,7 +84,25 @@ struct Reading {
   }
   void add_face(const tinyobj::index_t* corners, int count);
   void start_object();
+  void check_numbers();
 };
+
+/// tinyobjloader reads what is no number as 0, `nan` among it.
+void Reading::check_numbers() {
+  std::string_view rest = text->current();
+  for (int i = 0; i < 4; ++i) {  // v and its three coordinates
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
+    rest.remove_prefix(word.size());
+    if (i == 0) continue;
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data() + word.starts_with('+'), end, value);
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
+      return fail(word.empty() ? "vertex with fewer than three coordinates"
+                               : "'" + std::string(word) + "' is no coordinate");
+  }
+}
 
 void Reading::start_object() {
   std::vector<ObjFile::Object>& objects = file.objects;
@@ -111,6 +136,7 @@ tinyobj::callback_t callbacks() {
   to.vertex_cb = [](void* user, double x, double y, double z, double) {
     auto& r = *static_cast<Reading*>(user);
     if (!std::isfinite(x + y + z)) r.fail("vertex that is not finite");
+    r.check_numbers();
     r.file.mesh.points.push_back({x, y, z});
   };
   to.texcoord_cb = [](void* user, double u, double v, double) {

@@ -1,8 +1,11 @@
 // Wavefront OBJ: each building's arrays once through a large buffer, no streams, and no call to the
 // heap once the tables have grown.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <filesystem>
+#include <string>
+#include <unordered_map>
 
 #include "formats/mtl_writer.hpp"
 #include "formats/numbers.hpp"
@@ -53,6 +56,7 @@ class ObjWriter final : public SurfaceWriter {
   std::size_t finish(std::span<const Look> looks) override;
 
  private:
+  std::string free_name(std::string_view id);
   void put_comment(std::string_view comment);
   void put_name(std::string_view key, std::string_view name);
   void put_points(std::span<const Vec3> points);
@@ -64,6 +68,7 @@ class ObjWriter final : public SurfaceWriter {
   OutputFile out_;
   std::string mtl_;
   Up up_;
+  std::unordered_map<std::string, uint64_t> object_names_;  ///< and the last number they got
   ObjGroups groups_;
   Normals normals_;
   std::vector<uint64_t> normal_numbers_;                        ///< of the building's polygons
@@ -86,7 +91,7 @@ void ObjWriter::add(const NamedSurface& building, std::span<const std::string_vi
   const Surface& surface = *building.surface;
   if (surface.polygons() == 0) return;
   const bool with_uvs = surface.uvs.size() == surface.points.size();
-  put_name("o ", building.id);
+  put_name("o ", free_name(building.id));
   put_points(surface.points);
   if (with_uvs) put_uvs(surface.uvs);
   put_normals(surface.normals);
@@ -109,6 +114,18 @@ std::size_t ObjWriter::finish(std::span<const Look> looks) {
   const std::size_t mtl_bytes = out_.is_regular() ? write_mtl(mtl_, looks) : 0;
   out_.commit();
   return out_.bytes() + mtl_bytes;
+}
+
+/// Objects that would bear one name are numbered, so that every building is found again.
+std::string ObjWriter::free_name(std::string_view id) {
+  const std::string name = safe_name(id);
+  std::string free = name;
+  uint64_t& last = object_names_[name];  // a reference survives the table's growth
+  while (last > 0 && !object_names_.try_emplace(free, 1).second) {
+    free = name + "_" + std::to_string(++last);
+  }
+  last = std::max<uint64_t>(last, 1);
+  return free;
 }
 
 void ObjWriter::put_comment(std::string_view comment) {

@@ -86,6 +86,10 @@ TEST_CASE("meshes that can not be read say why") {
   CHECK(problem_of(folder.write("f.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3")) ==
         "has no faces with an area");
   CHECK(problem_of(folder.write("g.obj", "v 1e999 0 0\n")) == "line 1: vertex that is not finite");
+  CHECK(problem_of(folder.write("n.obj", "v 0 0 0\nv 1 nan 0\n")) ==
+        "line 2: 'nan' is no coordinate");
+  CHECK(problem_of(folder.write("o.obj", "v 0 0 0\nv 1 2\n")) ==
+        "line 2: vertex with fewer than three coordinates");
   CHECK(!problem_of(folder.write("h.glb", "glTF garbage")).empty());
   CHECK(!problem_of(folder.write("i.xyz", "what")).empty());
 }

@@ -160,6 +160,21 @@ TEST_CASE("an OBJ is objects, groups, materials and polygons") {
   CHECK(mtl == "newmtl brick\nKd 0.5 0.25 0.1\nd 1\nnewmtl glass\nKd 0.1 0.2 0.3\nd 0.5\n");
 }
 
+TEST_CASE("names that become one in an OBJ are numbered") {
+  const Folder folder;
+  Surface s;
+  add_polygon(s, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 0, 0);
+  const auto writer = write_obj(folder / "model.obj", Up::y, "");
+  for (const char* const id : {"a b", "a_b", "a b"}) writer->add({id, &s}, symbols, looks);
+  writer->finish(looks);
+  std::string names;
+  std::istringstream lines(content(folder / "model.obj"));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("o ")) names += line + "\n";
+  }
+  CHECK(names == "o a_b\no a_b_2\no a_b_3\n");
+}
+
 TEST_CASE("a building's lines do not depend on those before it but for their numbers") {
   const Folder folder;
   Surface s;
