@@ -48,6 +48,9 @@ Arguments Arguments::parse(const Command& command, int argc, const char* const* 
     const auto rest = app.remaining();
     const std::string word = rest.empty() ? "" : rest.front();
     throw UsageError("unknown flag '" + word + "'" + nearest_flag(command, word) + fix);
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string said = error.what();
+    throw UsageError("'" + said.substr(0, said.find(':')) + "' takes a value" + fix);
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + fix);
   }

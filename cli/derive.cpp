@@ -66,6 +66,8 @@ int derive(Job& job) {
   const auto writer =
       write_obj(job.out, up_of(job.arguments), model_comment(program, set, options));
   const std::vector<std::string_view> symbols = symbol_names(program);
+  std::optional<OutputFile> report_file;  // a folder that is missing is said before the work
+  if (const auto path = job.arguments.value("--report")) report_file.emplace(*path);
   Looks looks(program);
   Report report(program);
   Said said;
@@ -94,16 +96,20 @@ int derive(Job& job) {
   if (totals.failed > 0 && !keep_going) return exit_input;
   const std::size_t bytes = writer->finish(looks.all());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  if (const auto path = job.arguments.value("--report")) report.write(*path, seconds.count());
+  if (report_file) report.write(*report_file, seconds.count());
   job.session.say(summary(report, bytes, job.out));
   if (report.parts_cut > 0)
     job.session.say("note: " + std::to_string(report.parts_cut) +
-                    " parts of splits were cut for want of room");
+                    (report.parts_cut == 1 ? " part of a split was" : " parts of splits were") +
+                    " cut for want of room");
   if (report.roof_fallbacks > 0)
     job.session.say("note: " + std::to_string(report.roof_fallbacks) +
-                    " roofs had to be made by a simpler construction");
+                    (report.roof_fallbacks == 1 ? " roof" : " roofs") +
+                    " had to be made by a simpler construction");
   if (totals.failed + broken > 0)
-    job.session.say(std::to_string(totals.failed + broken) + " footprints were left out");
+    job.session.say(std::to_string(totals.failed + broken) +
+                    (totals.failed + broken == 1 ? " footprint was" : " footprints were") +
+                    " left out");
   return totals.failed + broken > 0 ? exit_input : exit_done;
 }
 

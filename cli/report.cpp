@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "formats/output_file.hpp"
-
 namespace mansard {
 
 void Report::add(const Building& building) {
@@ -37,7 +35,7 @@ void Report::add_failure(const std::string& id, const Diagnostic& diagnostic) {
   failures_.emplace_back(id, diagnostic.text);
 }
 
-void Report::write(const std::string& path, double seconds) const {
+void Report::write(OutputFile& file, double seconds) const {
   using nlohmann::ordered_json;
   ordered_json json;
   json["buildings"] = buildings;
@@ -71,7 +69,6 @@ void Report::write(const std::string& path, double seconds) const {
     json["report"][key] = value;
   }
   const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-  OutputFile file(path);
   file.put(text);
   file.commit();
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/output_file.hpp"
 #include "interpreter/building.hpp"
 #include "interpreter/program.hpp"
 
@@ -16,8 +17,7 @@ class Report {
       : program_(program), terminals_(program.symbols.size()), areas_(program.symbols.size()) {}
   void add(const Building& building);
   void add_failure(const std::string& id, const Diagnostic& diagnostic);
-  /// Whole or not at all; throws Failure.
-  void write(const std::string& path, double seconds) const;
+  void write(OutputFile& file, double seconds) const;
 
   std::size_t shapes = 0, operations = 0, polygons = 0, vertices = 0, buildings = 0;
   std::size_t parts_cut = 0, unmatched = 0, roof_fallbacks = 0;

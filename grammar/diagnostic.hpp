@@ -65,6 +65,8 @@ class Diagnostics {
 std::string to_text(const Diagnostic& diagnostic, bool color = false);
 /// One JSON object: severity, code, text, file, line, column, end_line, end_column, notes, help.
 std::string to_json(const Diagnostic& diagnostic);
+/// The same for a plain line of progress or summary, of severity "note".
+std::string note_to_json(std::string_view text);
 
 /// The candidate most like `word` (edit distance, case ignored), when it is near enough to be
 /// meant.

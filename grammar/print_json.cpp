@@ -39,4 +39,11 @@ std::string to_json(const Diagnostic& diagnostic) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string note_to_json(std::string_view text) {
+  Json json;
+  json["severity"] = "note";
+  json["text"] = text;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace mansard
