@@ -251,7 +251,14 @@ struct Import {
   ExprPtr path;  ///< Text
   Span at;
 };
+/// Its special members are compiled once, in syntax.cpp: those of the whole tree are costly to
+/// compile, under sanitizers above all.
 struct File {
+  File();
+  ~File();
+  File(File&&) noexcept;
+  File& operator=(File&&) noexcept;
+
   const Source* source = nullptr;
   std::vector<Import> imports;
   std::vector<Style> styles;
