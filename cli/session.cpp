@@ -18,6 +18,14 @@ const Mesh* DiskMeshes::mesh(const std::string& path, std::string& problem) {
   return it->second.mesh ? &*it->second.mesh : nullptr;
 }
 
+bool DiskMeshes::has_picture(const std::string& path) {
+  const std::scoped_lock lock(mutex_);
+  const auto [it, fresh] = pictures_.try_emplace(path);
+  std::error_code missing;
+  if (fresh) it->second = std::filesystem::is_regular_file(path, missing);
+  return it->second;
+}
+
 namespace {
 
 /// Beside the program when it is installed, else in the sources it was built from.
@@ -48,13 +56,15 @@ Session::Session(const Arguments& arguments)
       color_(!arguments.has("--no-color") && isatty(STDERR_FILENO) == 1),
       quiet_(arguments.has("--quiet")) {}
 
+Session::~Session() = default;
+
 void Session::print(const Diagnostic& diagnostic) const {
   const std::string text = json_ ? to_json(diagnostic) + "\n" : to_text(diagnostic, color_);
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void Session::say(const std::string& line) const {
-  if (!quiet_) std::fprintf(stderr, "%s\n", line.c_str());
+  if (!quiet_) std::fprintf(stderr, "%s\n", json_ ? note_to_json(line).c_str() : line.c_str());
 }
 
 bool Session::compile(const std::string& script, const CompileOptions& options) {

@@ -18,6 +18,7 @@ namespace mansard {
 class DiskMeshes final : public MeshSource {
  public:
   const Mesh* mesh(const std::string& path, std::string& problem) override;
+  bool has_picture(const std::string& path) override;
 
  private:
   struct Entry {
@@ -26,11 +27,13 @@ class DiskMeshes final : public MeshSource {
   };
   std::mutex mutex_;
   std::unordered_map<std::string, Entry> known_;
+  std::unordered_map<std::string, bool> pictures_;
 };
 
 class Session {
  public:
   explicit Session(const Arguments& arguments);
+  ~Session();
 
   /// Loads and compiles; false after errors, which are printed.
   bool compile(const std::string& script, const CompileOptions& options);

@@ -105,6 +105,14 @@ has no edge 3, so the number chooses nothing there.
     FOOTPRINT -> setback(2, 3) { LOT | GARDEN }
 
 Choose edges by what they are, where you can: "street", "party", "front".)"},
+    CodePage{
+        "W020", "The picture of a texture is missing.",
+        R"(The file was looked for beside the script that names it, then in each --style-path. The surfaces keep
+their plain colour.
+
+    Materials { WALL : texture("brick.jpg", 2, 1) }
+
+Correct the name, or add the folder with --style-path.)"},
 };
 
 }  // namespace

@@ -76,9 +76,7 @@ std::vector<bool> Compiler::conditional_nodes() const {
 /// it is evaluated: an error here, unless it might never be.
 void Compiler::fold_constants() {
   const std::vector<bool> conditional = conditional_nodes();
-  struct NoMeshes final : MeshSource {
-    const Mesh* mesh(const std::string&, std::string&) override { return nullptr; }
-  } meshes;
+  NoMeshes meshes;
   Machine machine(program_, meshes, {});
   for (ExprId id = 0; id < program_.nodes.size(); ++id) {
     const ExprNode n = program_.nodes[id];
@@ -182,6 +180,7 @@ void Compiler::check_types() {
     attempt(program_.main_style, {}, [&] {
       check_call_types(call);
       check_sizes(call);
+      check_picture(call);
     });
   }
 }
@@ -225,8 +224,15 @@ void Compiler::add_writer(Diagnostic& d, ExprId id) const {
   const ExprNode& n = program_.nodes[id];
   const auto type = static_type(id);
   if (n.kind != ExprKind::variable || !type) return;
-  d.notes.push_back({std::string(described(*type)) + " was written here",
-                     program_.spans[program_.variables[n.first].value]});
+  note_writer(d, described(*type), program_.spans[program_.variables[n.first].value]);
+}
+
+/// Of a texture() that names its file outright; any other is looked for when it is carried out.
+void Compiler::check_picture(const Call& call) {
+  if (call.operation != find_operation("texture")) return;
+  const ExprId file = call.args[0].value;
+  if (program_.nodes[file].kind != ExprKind::constant) return;
+  picture(program_.constants[program_.nodes[file].first].string(), program_.spans[file]);
 }
 
 void Compiler::refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const {

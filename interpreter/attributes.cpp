@@ -17,18 +17,6 @@ double slope_of(Vec3 normal) {
   return std::acos(std::min(1.0, std::abs(normal.y))) * 180 / 3.14159265358979323846;
 }
 
-Polygon plan_of(const Machine& machine, const Shape& shape) {
-  if (shape.form == Form::polygon || shape.form == Form::prism) {
-    const PooledPolygon& pooled = machine.polygon_of(shape);
-    const PlaneMap map(shape, pooled.natural);
-    Polygon plan = pooled.polygon;
-    for (Vec2& p : plan.points) p = map.scaled(p);
-    return plan;
-  }
-  return rectangle(shape.scope.size.x,
-                   shape.form == Form::box ? shape.scope.size.z : shape.scope.size.y);
-}
-
 }  // namespace
 
 /// Flat shapes: of the shape itself; solids: of all their faces together, volumes by the divergence

@@ -12,10 +12,6 @@ namespace mansard {
 
 namespace {
 
-struct NoMeshes final : MeshSource {
-  const Mesh* mesh(const std::string&, std::string&) override { return nullptr; }
-};
-
 std::string property_text(const PropertyValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* number = std::get_if<double>(&value)) return number_text(*number);

@@ -71,10 +71,7 @@ void Machine::no_candidate(const RuleSet& rules, const Shape& shape) {
     throw Failure(std::move(d));
   }
   d.severity = Severity::warning;
-  for (const Diagnostic& known : building->warnings) {
-    if (known.code == d.code && known.at == d.at) return;
-  }
-  building->warnings.push_back(std::move(d));
+  warn(std::move(d));
 }
 
 }  // namespace mansard

@@ -3,6 +3,7 @@
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/picture.hpp"
 #include "interpreter/random.hpp"
 
 namespace mansard {
@@ -84,6 +85,12 @@ const Value& Compiler::literal(const syntax::Arg& arg) {
   return program_.constants[node.first];
 }
 
+std::string Compiler::picture(std::string_view file, Span at) {
+  std::string path = find_picture(file, at, program_, meshes_);
+  if (path.empty()) diagnostics_.add(missing_picture(file, at));
+  return path;
+}
+
 Material Compiler::material_of(const syntax::MaterialAlternative& alternative, std::string name) {
   Material material = program_.materials[0];
   material.name = std::move(name);
@@ -108,10 +115,8 @@ Material Compiler::material_of(const syntax::MaterialAlternative& alternative, s
         refuse(look.name.at, "texture() takes a file and the metres of one repeat",
                "texture(\"brick.jpg\", 2, 1)");
       }
-      const std::string folder = Library::folder_of(look.name.at);
-      const auto file = std::string(values[0].string());
-      material.texture = file.starts_with('/') || folder.empty() ? file : folder + "/" + file;
-      material.color = {1, 1, 1};
+      material.texture = picture(values[0].string(), look.args->front().at);
+      if (!material.texture.empty()) material.color = {1, 1, 1};
       material.metres.x = values.size() > 1 ? values[1].number : 1;
       material.metres.y = values.size() > 2 ? values[2].number : material.metres.x;
       if (!(material.metres.x > 0 && material.metres.y > 0))

@@ -50,6 +50,7 @@ Scope box_side_scope(const Scope& box, int side) {
 
 Shape box_side(const Shape& box, int side) {
   Shape face = piece_of(box, box_side_scope(box.scope, side));
+  if (side != 0) face.tag = {};  // a relief's front is the wall it rose from, its sides are not
   if (box.cuts & (1 << side)) face.tag.flags |= EdgeTag::cut;
   return face;
 }
@@ -78,6 +79,7 @@ Shape prism_wall(Machine& machine, const Shape& prism, uint32_t i) {
   const Vec3 size{wide, prism_height(prism), 0};
   Shape wall = piece_of(prism, within(prism.scope, map(polygon.points[i], 0), x, y, z, size));
   wall.tag = polygon.tags[i];
+  if (!prism.ground) wall.tag = {static_cast<uint16_t>(wall.tag.flags & EdgeTag::cut)};
   return wall;
 }
 
@@ -139,16 +141,12 @@ namespace {
 
 void push_mesh_faces(Machine& machine, const Shape& shape) {
   const PooledMesh& pooled = machine.mesh_of(shape);
-  const auto stretch = [](double size, double natural) { return natural > 0 ? size / natural : 1; };
-  const Vec3 scale{stretch(shape.scope.size.x, pooled.natural.x),
-                   stretch(shape.scope.size.y, pooled.natural.y),
-                   stretch(shape.scope.size.z, pooled.natural.z)};
+  const MeshMap map(pooled, shape.scope.size);
   std::vector<Vec3> loop;
   for (const Mesh::Face& f : pooled.mesh().faces) {
     loop.clear();
     for (const uint32_t corner : pooled.mesh().loop(f)) {
-      const Vec3 p = pooled.mesh().points[corner] - pooled.low;
-      loop.push_back(shape.scope.at({p.x * scale.x, p.y * scale.y, p.z * scale.z}));
+      loop.push_back(shape.scope.at(map(pooled.mesh().points[corner])));
     }
     if (mirrored(shape.scope)) std::reverse(loop.begin(), loop.end());
     if (length(newell(loop)) > 1e-12) {
@@ -170,9 +168,9 @@ void push_prism_faces(Machine& machine, const Shape& shape) {
   Shape cap = shape;
   cap.form = Form::polygon;
   cap.open = cap.cuts = 0;
-  cap.tag = {};
+  if (shape.ground) cap.tag = {};
   const uint8_t far_side = shape.ground ? side_top : side_front;
-  if (shape.cuts & far_side) cap.tag.flags = EdgeTag::cut;
+  if (shape.cuts & far_side) cap.tag.flags |= EdgeTag::cut;
   if (shape.ground) {
     cap.scope.origin = shape.scope.at({0, shape.scope.size.y, 0});
     cap.scope.size.y = 0;
@@ -182,22 +180,20 @@ void push_prism_faces(Machine& machine, const Shape& shape) {
     cap.scope.size.z = 0;
   }
   push_framed(machine, cap);
-  if (!(shape.open & side_bottom)) {
+  if (!(shape.open & prism_base(shape))) {
     const PooledPolygon& pooled = machine.polygon_of(shape);
     Shape base = cap;
-    const uint8_t near_side = shape.ground ? side_bottom : side_back;
     base.tag = {};
-    if (shape.cuts & near_side) base.tag.flags = EdgeTag::cut;
+    if (shape.cuts & prism_base(shape)) base.tag.flags = EdgeTag::cut;
     const double w = shape.scope.size.x;
     const double along = prism_height(shape);
     base.scope.origin = cap.scope.at({w, 0, -along});
     base.scope.x = -cap.scope.x;
     base.scope.z = -cap.scope.z;
-    Polygon& turned = machine.new_polygon(base);
-    turned = pooled.polygon;  // into the pool's memory
-    mirror_u(turned);
-    translate(turned, {pooled.natural.x, 0});
-    const_cast<PooledPolygon&>(machine.polygon_of(base)).natural = pooled.natural;
+    PooledPolygon& turned = machine.new_polygon(base);
+    turned = pooled;  // into the pool's memory
+    mirror_u(turned.polygon);
+    translate(turned.polygon, {pooled.natural.x, 0});
     push_framed(machine, base);
   }
 }
@@ -228,51 +224,6 @@ void push_faces(Machine& machine, const Shape& shape) {
       push_mesh_faces(machine, shape);
       break;
   }
-}
-
-namespace {
-
-/// The shape's outline in its scope, for flat shapes; of a solid's base otherwise.
-Polygon outline_of(const Machine& machine, const Shape& shape) {
-  if (shape.form == Form::polygon || shape.form == Form::prism) {
-    const PooledPolygon& pooled = machine.polygon_of(shape);
-    Polygon scaled = pooled.polygon;
-    const PlaneMap map(shape, pooled.natural);
-    for (Vec2& p : scaled.points) p = map.scaled(p);
-    return scaled;
-  }
-  if (shape.form == Form::rectangle) return rectangle(shape.scope.size.x, shape.scope.size.y);
-  return {};
-}
-
-}  // namespace
-
-void push_edges(Machine& machine, const Shape& shape) {
-  const Polygon outline = outline_of(machine, shape);
-  const PlaneMap map(shape, bounds(outline.points).size());
-  for_each_edge(outline, [&](uint32_t i, Vec2 from, Vec2 to) {
-    const Vec2 along = normalized(to - from);
-    const Vec3 x = map.direction(along), y = map.direction(left_of(along) * -1);
-    const Vec3 size{length(to - from), 0, 0};
-    Shape edge = piece_of(shape, within(shape.scope, map(from, 0), x, y, cross(x, y), size));
-    edge.form = Form::line;
-    edge.tag = outline.tags[i];
-    machine.scratch_shapes.push_back(edge);
-  });
-}
-
-void push_vertices(Machine& machine, const Shape& shape) {
-  const Polygon outline = outline_of(machine, shape);
-  const PlaneMap map(shape, bounds(outline.points).size());
-  for_each_edge(outline, [&](uint32_t i, Vec2 from, Vec2) {
-    Shape vertex = shape;
-    vertex.form = Form::nothing;
-    vertex.geometry = Shape::none;
-    vertex.scope.origin = shape.scope.at(map(from, 0));
-    vertex.scope.size = {};
-    vertex.tag = outline.tags[i];
-    machine.scratch_shapes.push_back(vertex);
-  });
 }
 
 }  // namespace mansard

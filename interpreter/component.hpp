@@ -5,35 +5,16 @@
 #include <span>
 
 #include "interpreter/machine.hpp"
+#include "interpreter/outline.hpp"
 
 namespace mansard {
-
-/// Maps a pooled polygon's plane into its shape's scope, stretched to the scope's size.
-class PlaneMap {
- public:
-  PlaneMap(const Shape& shape, Vec2 natural)
-      : ground_(shape.ground),
-        depth_(shape.scope.size.z),
-        scale_{natural.x > 0 ? shape.scope.size.x / natural.x : 1,
-               natural.y > 0 ? (shape.ground ? shape.scope.size.z : shape.scope.size.y) / natural.y
-                             : 1} {}
-  Vec2 scaled(Vec2 p) const { return {p.x * scale_.x, p.y * scale_.y}; }
-  Vec3 operator()(Vec2 p, double along) const {
-    const Vec2 q = scaled(p);
-    return ground_ ? Vec3{q.x, along, depth_ - q.y} : Vec3{q.x, q.y, along};
-  }
-  Vec3 direction(Vec2 d) const { return ground_ ? Vec3{d.x, 0, -d.y} : Vec3{d.x, d.y, 0}; }
-
- private:
-  bool ground_;
-  double depth_;
-  Vec2 scale_;
-};
 
 /// Side 0 to 5 (front, right, back, left, top, bottom) of a box: its frame, and it as a rectangle.
 Scope box_side_scope(const Scope& box, int side);
 Shape box_side(const Shape& box, int side);
 
+/// The side of a prism from which it was drawn.
+inline uint8_t prism_base(const Shape& prism) { return prism.ground ? side_bottom : side_back; }
 /// Height of a prism along the direction it was drawn.
 double prism_height(const Shape& prism);
 uint32_t prism_walls(const Machine& machine, const Shape& prism);

@@ -24,7 +24,7 @@ void Context::part(std::size_t i, Shape& piece) {
 }
 
 void Context::named_part(std::size_t i, Shape& piece) {
-  if (wants(i)) go_on(call.parts[call.part_of[i]], i, piece);
+  if (wants(i)) go_on(call.parts[call.part_of[i]], pieces_[i]++, piece);
 }
 
 void Context::become(Shape& piece) {
@@ -47,9 +47,7 @@ void Context::wrong_type(std::size_t i, const Value& value, std::string_view exp
   d.text = "'" + std::string(call.operation->name) + "' expects " + std::string(expected) +
            " for '" + std::string(call.operation->parameter_name(i)) + "', not " +
            std::string(described(value.type));
-  if (const Span written = machine.program.origin(value).at; written && !(written == d.at)) {
-    d.notes.push_back({std::string(described(value.type)) + " was written here", written});
-  }
+  note_writer(d, described(value.type), machine.program.origin(value));
   throw Failure(std::move(d));
 }
 

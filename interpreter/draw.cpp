@@ -196,7 +196,7 @@ void Machine::draw_prism(const Shape& shape, uint32_t look) {
   Shape cap = shape;
   cap.uv_frame = Shape::none;
   draw_polygon(cap, look, prism_height(shape), false);
-  if (!(shape.open & side_bottom)) draw_polygon(cap, look, 0, true);
+  if (!(shape.open & prism_base(shape))) draw_polygon(cap, look, 0, true);
 }
 
 /// Numbers of the materials that the mesh's own file gave it.
@@ -210,18 +210,13 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
                         std::span<const uint32_t> own_looks) {
   const Mesh& mesh = pooled.mesh();
   const Scope& s = shape.scope;
-  const auto stretch = [](double size, double natural) {
-    return natural > thin ? size / natural : 1;
-  };
-  const Vec3 scale{stretch(s.size.x, pooled.natural.x), stretch(s.size.y, pooled.natural.y),
-                   stretch(s.size.z, pooled.natural.z)};
+  const MeshMap map(pooled, s.size);
   const bool turned = mirrored(s);
   Surface& surface = building->surface;
   for (const Mesh::Face& face : mesh.faces) {
     loop_.clear();
     for (const uint32_t corner : mesh.loop(face)) {
-      const Vec3 p = mesh.points[corner] - pooled.low;
-      loop_.push_back(s.at({p.x * scale.x, p.y * scale.y, p.z * scale.z}));
+      loop_.push_back(s.at(map(mesh.points[corner])));
     }
     if (turned) std::reverse(loop_.begin(), loop_.end());
     const bool own_look = face.material < own_looks.size();

@@ -38,7 +38,7 @@ Value Machine::evaluate(ExprId id, const Env& env) {
       return Value::of(std::span<const Value>(items, node.count)).from(id);
     }
     case ExprKind::subscript:
-      return subscript(node, id, env);
+      return subscript(node, env);
     case ExprKind::negate:
       return Value::of(-number(child[0], env)).from(id);
     case ExprKind::invert:
@@ -78,9 +78,7 @@ Value Machine::infix(const ExprNode& node, uint32_t id, const Env& env) {
           Diagnostic d;
           d.at = program.spans[child[1]];
           d.text = "division by zero: '" + std::string(d.at.text()) + "' is 0 here";
-          if (const Span written = program.origin(b).at; written && !(written == d.at)) {
-            d.notes.push_back({"the 0 was written here", written});
-          }
+          note_writer(d, "the 0", program.origin(b));
           throw Failure(std::move(d));
         }
         result = a.number / b.number;
@@ -95,12 +93,7 @@ Value Machine::infix(const ExprNode& node, uint32_t id, const Env& env) {
     return Value::of(keep(std::string(a.string()) + std::string(b.string()))).from(id);
   }
   if (auto wrong = operand_error(program, node, a.type, b.type, child[0], child[1])) {
-    for (const Value& v : {a, b}) {
-      const Span written = program.origin(v).at;
-      if (written && !(written == wrong->at) && !(written == wrong->also[0])) {
-        wrong->notes.push_back({std::string(described(v.type)) + " was written here", written});
-      }
-    }
+    for (const Value& v : {a, b}) note_writer(*wrong, described(v.type), program.origin(v));
     throw Failure(std::move(*wrong));
   }
   return compare(node, id, a, b);
@@ -161,16 +154,14 @@ double Machine::number(ExprId id, const Env& env) {
     Diagnostic d;
     d.at = program.spans[id];
     d.text = "expected a number, found " + std::string(described(value.type));
-    if (const Span written = program.origin(value).at; written && !(written == d.at)) {
-      d.notes.push_back({std::string(described(value.type)) + " was written here", written});
-    }
+    note_writer(d, described(value.type), program.origin(value));
     throw Failure(std::move(d));
   }
   if (!std::isfinite(value.number)) fail(program.spans[id], "this is not a finite number");
   return value.number;
 }
 
-Value Machine::subscript(const ExprNode& node, uint32_t id, const Env& env) {
+Value Machine::subscript(const ExprNode& node, const Env& env) {
   const uint32_t* const child = program.children.data() + node.children;
   const Value list = evaluate(child[0], env);
   if (list.type != Type::list) {
@@ -184,7 +175,6 @@ Value Machine::subscript(const ExprNode& node, uint32_t id, const Env& env) {
          list.size > 0 ? "items are numbered from 0 to " + std::to_string(list.size - 1)
                        : "the list is empty");
   }
-  (void)id;
   return list.items[static_cast<std::size_t>(index)];
 }
 

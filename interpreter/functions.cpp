@@ -251,9 +251,7 @@ void refuse(const FunctionCall& c, std::size_t i, std::string_view expected) {
   d.text = "'" + std::string(function.name) + "' expects " + std::string(expected) + " for '" +
            std::string(function.parameter_name(named)) + "', not " +
            std::string(described(c.args[i].type));
-  if (const Span written = c.machine.program.origin(c.args[i]).at; written && !(written == d.at)) {
-    d.notes.push_back({std::string(described(c.args[i].type)) + " was written here", written});
-  }
+  note_writer(d, described(c.args[i].type), c.machine.program.origin(c.args[i]));
   throw Failure(std::move(d));
 }
 

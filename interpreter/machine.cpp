@@ -323,11 +323,11 @@ void Machine::finish_early(Shape& piece) {
   piece.plain = true;
 }
 
-Polygon& Machine::new_polygon(Shape& shape) {
+PooledPolygon& Machine::new_polygon(Shape& shape) {
   shape.geometry = polygons_.take();
-  Polygon& polygon = polygons_[shape.geometry].polygon;
-  polygon.clear();
-  return polygon;
+  PooledPolygon& pooled = polygons_[shape.geometry];
+  pooled.polygon.clear();
+  return pooled;
 }
 
 void Machine::adopt(Shape& shape, Polygon&& polygon) {

@@ -72,7 +72,8 @@ class Machine {
   std::string_view keep(std::string_view text);
 
   // ---- shapes
-  Polygon& new_polygon(Shape& shape);
+  /// An empty polygon of the pool, as the shape's geometry.
+  PooledPolygon& new_polygon(Shape& shape);
   const PooledPolygon& polygon_of(const Shape& shape) const { return polygons_[shape.geometry]; }
   /// Takes polygon as the shape's geometry: the scope becomes its bounds within the old scope.
   void adopt(Shape& shape, Polygon&& polygon);
@@ -97,7 +98,9 @@ class Machine {
 
   // ---- what went wrong
   [[noreturn]] void fail(Span at, std::string text, std::string help = {});
+  /// Once a place and building.
   void warn(std::string_view code, Span at, std::string text, std::string help = {});
+  void warn(Diagnostic warning);
 
   const Program& program;
   const DeriveOptions options;
@@ -159,7 +162,7 @@ class Machine {
   Value infix(const ExprNode& node, uint32_t id, const Env& env);
   Value compare(const ExprNode& node, uint32_t id, const Value& a, const Value& b);
   Value attribute(Attribute which, const Shape* shape, uint32_t id);
-  Value subscript(const ExprNode& node, uint32_t id, const Env& env);
+  Value subscript(const ExprNode& node, const Env& env);
   Value call_function(const ExprNode& node, uint32_t id, const Env& env);
   Value define(const ExprNode& node, uint32_t id, const Env& env);
   void count_call(uint32_t id);
@@ -240,6 +243,9 @@ class Context {
   T take(std::size_t i);
 
   void go_on(const CallPart& part, std::size_t i, Shape& piece);
+
+ private:
+  std::array<uint32_t, most_part_names> pieces_{};  ///< given to each named part so far
 };
 
 template <>

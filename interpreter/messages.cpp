@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "grammar/utf8.hpp"
 #include "interpreter/machine.hpp"
 
 namespace mansard {
@@ -15,6 +16,19 @@ std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
+}
+
+std::string shortened(std::string_view text) {
+  constexpr std::size_t most = 60;  // bytes
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint c = decode(text, at);
+    if (line.size() + c.bytes > most) return line + "...";
+    const bool plain = c.valid && c.value >= ' ' && c.value != 127;
+    line += plain ? text.substr(at, c.bytes) : std::string_view(" ");
+    at += c.bytes;
+  }
+  return line;
 }
 
 std::string size_text(Vec3 size) {
@@ -83,16 +97,14 @@ void Machine::fail(Span at, std::string text, std::string help) {
 
 /// Once for each place and building.
 void Machine::warn(std::string_view code, Span at, std::string text, std::string help) {
+  warn({Severity::warning, code, at, std::move(text), {}, {}, std::move(help)});
+}
+
+void Machine::warn(Diagnostic warning) {
   for (const Diagnostic& known : building->warnings) {
-    if (known.code == code && known.at == at) return;
+    if (known.code == warning.code && known.at == warning.at) return;
   }
-  Diagnostic d;
-  d.severity = Severity::warning;
-  d.code = code;
-  d.at = at;
-  d.text = std::move(text);
-  d.help = std::move(help);
-  building->warnings.push_back(std::move(d));
+  building->warnings.push_back(std::move(warning));
 }
 
 /// Says what was being derived: the rule, the chain of symbols above it, the footprint.
@@ -114,9 +126,19 @@ void Machine::explain(Diagnostic& diagnostic) const {
   if (footprint) diagnostic.notes.push_back({"for footprint '" + footprint->id + "'", {}});
 }
 
-Program::Origin Program::origin(const Value& value) const {
-  if (value.origin < spans.size()) return {spans[value.origin], {}};
-  return {};
+Program::Program() = default;
+Program::~Program() = default;
+
+Span Program::origin(const Value& value) const {
+  return value.origin < spans.size() ? spans[value.origin] : Span{};
+}
+
+void note_writer(Diagnostic& diagnostic, std::string_view what, Span written) {
+  if (!written || written == diagnostic.at) return;
+  if (std::ranges::find(diagnostic.also, written) != diagnostic.also.end()) return;
+  const bool set = written.source->name().starts_with("--set ");
+  diagnostic.notes.push_back(
+      {std::string(what) + (set ? " was set on the command line" : " was written here"), written});
 }
 
 }  // namespace mansard

@@ -15,11 +15,15 @@ namespace mansard {
 std::string count_text(std::size_t n, std::string_view noun);
 /// Shortest form, at most 6 significant digits.
 std::string number_text(double value);
+/// Foreign text on one line, cut when it is long.
+std::string shortened(std::string_view text);
 /// "10 x 3 x 0 m".
 std::string size_text(Vec3 size);
 /// What is wrong with the types of the operands a and b of an infix operator, if anything.
 std::optional<Diagnostic> operand_error(const Program& program, const ExprNode& node, Type left,
                                         Type right, ExprId a, ExprId b);
+/// Notes where `what` ("a string") was written or set, unless the diagnostic points there already.
+void note_writer(Diagnostic& diagnostic, std::string_view what, Span written);
 Diagnostic size_count_error(const Call& call, std::size_t sizes);
 
 }  // namespace mansard

@@ -23,6 +23,8 @@ enum class PartRule : uint8_t {
   selectors,  ///< parts labelled with selectors
 };
 
+inline constexpr std::size_t most_part_names = 8;  ///< of PartRule::named
+
 struct Operation {
   std::string_view name;
   std::string_view group;  ///< heading in help

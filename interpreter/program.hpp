@@ -216,7 +216,11 @@ struct CompiledStyle {
 };
 
 struct Program {
-  std::vector<std::string> mesh_folders;  ///< where insert() looks after the script's own folder
+  Program();
+  ~Program();
+
+  std::vector<std::string> mesh_folders;  ///< where insert() and texture() look after the script's
+                                          ///< own folder
   Names symbols;                          ///< also names of parts
   Names properties;                       ///< names that attr() and variables read
   std::vector<uint64_t> symbol_hashes;
@@ -249,32 +253,40 @@ struct Program {
   std::unordered_map<std::string, std::vector<uint32_t>> variables_by_property;  ///< slots
   std::deque<LinkedStyle> linked;
 
-  /// Where a value was written: a place in a script, or "set on the command line", "property
-  /// 'height'".
-  struct Origin {
-    Span at;
-    std::string text;
-  };
-  Origin origin(const Value& value) const;
+  /// Where a value was written, in a script or on the command line; nowhere when it was computed.
+  Span origin(const Value& value) const;
 };
 
 inline constexpr uint32_t nil_symbol = 0;
 /// Of one symbol in one style.
 inline constexpr uint32_t most_productions = 256;
 
-/// Meshes of elements and insert(), read once. Implemented where files of models may be touched.
+/// Meshes of elements and insert(), read once, and pictures of textures. Implemented where files of
+/// models may be touched.
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
   /// Null when it can not be read; `problem` says why. Safe to call from several threads. The mesh
   /// lives as long as the source.
   virtual const Mesh* mesh(const std::string& path, std::string& problem) = 0;
+  /// Whether there is such a file to texture with. Safe to call from several threads.
+  virtual bool has_picture(const std::string& path) = 0;
+};
+
+/// For work that draws nothing: no mesh can be read, every picture is there.
+class NoMeshes final : public MeshSource {
+ public:
+  const Mesh* mesh(const std::string&, std::string& problem) override {
+    problem = "no meshes here";
+    return nullptr;
+  }
+  bool has_picture(const std::string&) override { return true; }
 };
 
 struct CompileOptions {
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set NAME=VALUE
-  std::string style;        ///< --style; empty: the last of the file
-  bool all_styles = false;  ///< check every style of the library, not only those that are reached
+  std::string style;          ///< --style; empty: the last of the file
+  bool all_styles = false;    ///< check every style of the library, not only those that are reached
   bool abstract_too = false;  ///< the style may be one that waits for a child to complete it
 };
 

@@ -1,17 +1,14 @@
 #include "interpreter/slice.hpp"
 
 #include "geometry/clip.hpp"
-#include "interpreter/component.hpp"
+#include "interpreter/outline.hpp"
 
 namespace mansard {
 namespace {
 
 std::vector<Shape> polygon_slabs(Machine& machine, const Shape& shape, Axis axis, double low,
                                  double high) {
-  const PooledPolygon& pooled = machine.polygon_of(shape);
-  const PlaneMap map(shape, pooled.natural);
-  Polygon scaled = pooled.polygon;
-  for (Vec2& p : scaled.points) p = map.scaled(p);
+  const Polygon outline = plan_of(machine, shape);
   if (axis == Axis::z) {  // on the ground v runs against z
     const double depth = shape.scope.size.z;
     std::swap(low, high);
@@ -19,7 +16,7 @@ std::vector<Shape> polygon_slabs(Machine& machine, const Shape& shape, Axis axis
     high = depth - high;
   }
   std::vector<Shape> pieces;
-  for (Polygon& part : clip_strip(scaled, axis == Axis::x ? 0 : 1, low, high)) {
+  for (Polygon& part : clip_strip(outline, axis == Axis::x ? 0 : 1, low, high)) {
     Shape piece = shape;
     machine.adopt(piece, std::move(part));
     pieces.push_back(piece);
@@ -31,14 +28,8 @@ std::vector<Shape> mesh_slabs(Machine& machine, const Shape& shape, Axis axis, d
                               double high) {
   const PooledMesh& pooled = machine.mesh_of(shape);
   Mesh scaled = pooled.mesh();
-  const auto stretch = [](double size, double natural) { return natural > 0 ? size / natural : 1; };
-  const Vec3 scale{stretch(shape.scope.size.x, pooled.natural.x),
-                   stretch(shape.scope.size.y, pooled.natural.y),
-                   stretch(shape.scope.size.z, pooled.natural.z)};
-  for (Vec3& p : scaled.points) {
-    p = p - pooled.low;
-    p = {p.x * scale.x, p.y * scale.y, p.z * scale.z};
-  }
+  const MeshMap map(pooled, shape.scope.size);
+  for (Vec3& p : scaled.points) p = map(p);
   Vec3 direction;
   along(direction, axis) = 1;
   Mesh part = clip(clip(scaled, direction, high), -direction, -low);

@@ -81,7 +81,7 @@ Value Machine::property(uint32_t slot, const Value& fallback, uint32_t node) {
   }
   warn("W012", program.spans[node],
        "property '" + std::string(program.properties[slot]) + "' of footprint '" + footprint->id +
-           "'" + (text ? " is \"" + *text + "\"," : "") + " not " +
+           "'" + (text ? " is \"" + shortened(*text) + "\"," : "") + " not " +
            std::string(described(fallback.type)) + "; the default is used");
   return fallback;
 }

@@ -1,8 +1,8 @@
 // Colour and texture: inherited by all that is derived from the shape.
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
+#include "interpreter/picture.hpp"
 #include "interpreter/selectors.hpp"
-#include "styles/library.hpp"
 
 namespace mansard {
 namespace {
@@ -32,9 +32,11 @@ void texture(Context& c, std::string_view file, std::optional<double> u, std::op
   const double wide = u.value_or(1), high = v.value_or(wide);
   if (wide <= 0) c.fail(1, "a repeat of a texture covers more than 0 m, not " + number_text(wide));
   if (high <= 0) c.fail(2, "a repeat of a texture covers more than 0 m, not " + number_text(high));
-  const std::string folder = Library::folder_of(c.call.at);
-  look.texture = file.starts_with('/') || folder.empty() ? std::string(file)
-                                                         : folder + "/" + std::string(file);
+  look.texture = find_picture(file, c.at(0), c.machine.program, c.machine.mesh_source);
+  if (look.texture.empty()) {
+    const bool computed = c.machine.program.nodes[c.call.args[0].value].kind != ExprKind::constant;
+    return computed ? c.machine.warn(missing_picture(file, c.at(0))) : void();  // else said before
+  }
   look.color = {1, 1, 1};
   look.metres = {wide, high};
   look.name = "texture_" + std::string(file.substr(file.rfind('/') + 1));

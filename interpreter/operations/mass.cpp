@@ -46,7 +46,7 @@ Shape raised(const Shape& base, double height) {
     solid.scope.size.y = height;
   } else {
     solid.scope.size.z = height;
-    solid.open = base.form == Form::rectangle ? side_back : side_bottom;
+    solid.open = side_back;
   }
   if (solid.form == Form::rectangle) {
     solid.form = Form::box;
@@ -93,6 +93,7 @@ Shape reveal(const Shape& outer, Vec3 origin, Vec3 x, Vec3 y, Vec2 size) {
   face.form = Form::rectangle;
   face.geometry = Shape::none;
   face.cuts = face.open = 0;
+  face.tag = {};
   face.scope.origin = outer.scope.at(origin);
   face.scope.x = outer.scope.direction(x);
   face.scope.y = outer.scope.direction(y);
@@ -114,11 +115,8 @@ void rectangle_reveals(Context& c, double depth) {
 }
 
 void polygon_reveals(Context& c, double depth) {
-  const PooledPolygon& pooled = c.machine.polygon_of(c.shape);
-  const PlaneMap map(c.shape, pooled.natural);
-  const Polygon outline = pooled.polygon;
-  for_each_edge(outline, [&](uint32_t, Vec2 from, Vec2 to) {
-    const Vec2 a = map.scaled(from), b = map.scaled(to), along = normalized(b - a);
+  for_each_edge(plan_of(c.machine, c.shape), [&](uint32_t, Vec2 a, Vec2 b) {
+    const Vec2 along = normalized(b - a);
     Shape face = reveal(c.shape, {b.x, b.y, -depth}, {-along.x, -along.y, 0}, {0, 0, 1},
                         {length(b - a), depth});
     c.named_part(1, face);
@@ -147,14 +145,7 @@ void taper(Context& c, double height) {
   if (height == 0) return c.become(c.shape);
   if (!rises(c.shape) && c.machine.options.lod <= 2) return c.become(c.shape);
   Shape flat = c.shape.ground ? c.shape : standing_ground(c.shape);
-  Polygon base = rectangle(flat.scope.size.x, flat.scope.size.z);
-  if (c.shape.form == Form::polygon) {
-    const PooledPolygon& pooled = c.machine.polygon_of(c.shape);
-    const PlaneMap map(c.shape, pooled.natural);
-    base = pooled.polygon;
-    for (Vec2& p : base.points) p = map.scaled(p);
-  }
-  flat.geometry = c.machine.add_mesh(tapered(base, height));
+  flat.geometry = c.machine.add_mesh(tapered(plan_of(c.machine, c.shape), height));
   flat.form = Form::mesh;
   flat.ground = false;
   flat.scope.size.y = height;

@@ -12,27 +12,12 @@
 namespace mansard {
 namespace {
 
-/// The outline of a flat shape in its own plane, stretched to its scope. Sides that a split made
-/// keep their mark.
 Polygon plan_of(Context& c) {
-  if (c.shape.form == Form::rectangle) {
-    Polygon plan = rectangle(c.shape.scope.size.x, c.shape.scope.size.y);
-    constexpr uint8_t sides[] = {side_bottom, side_right, side_top, side_left};
-    for (std::size_t i = 0; i < 4; ++i) {
-      plan.tags[i] = {static_cast<uint16_t>(c.shape.tag.flags & ~EdgeTag::cut), c.shape.tag.wall};
-      if (c.shape.cuts & sides[i]) plan.tags[i].flags |= EdgeTag::cut;
-    }
-    return plan;
-  }
-  if (c.shape.form != Form::polygon) {
+  if (c.shape.form != Form::rectangle && c.shape.form != Form::polygon) {
     c.machine.fail(c.call.at, "'" + std::string(c.call.operation->name) + "' needs a flat shape",
                    "take a face first: comp { top : A }");
   }
-  const PooledPolygon& pooled = c.machine.polygon_of(c.shape);
-  const PlaneMap map(c.shape, pooled.natural);
-  Polygon plan = pooled.polygon;
-  for (Vec2& p : plan.points) p = map.scaled(p);
-  return plan;
+  return mansard::plan_of(c.machine, c.shape);
 }
 
 void give(Context& c, std::size_t part, std::vector<Polygon> pieces) {

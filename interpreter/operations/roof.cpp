@@ -5,7 +5,6 @@
 #include <array>
 #include <memory>
 
-#include "geometry/clip.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
@@ -51,20 +50,6 @@ void need_lying(Context& c) {
                        std::string(flat ? "stands or slopes" : "is a solid or has no surface"),
                    "take the top first: comp { top : ROOF }");
   }
-}
-
-/// The plan of a shape that lies flat, in its plane.
-Polygon flat_plan(Context& c) {
-  need_lying(c);
-  if (c.shape.form == Form::rectangle) {
-    Polygon plan = rectangle(c.shape.scope.size.x, c.shape.scope.size.y);
-    return plan;
-  }
-  const PooledPolygon& pooled = c.machine.polygon_of(c.shape);
-  const PlaneMap map(c.shape, pooled.natural);
-  Polygon plan = pooled.polygon;
-  for (Vec2& p : plan.points) p = map.scaled(p);
-  return plan;
 }
 
 std::vector<Vec3> placed(const Shape& base, std::span<const Vec3> loop) {
@@ -116,27 +101,18 @@ void become_mesh(Context& c, const Roof& roof) {
   const double depth = c.shape.scope.size.z;
   for (const RoofFace& face : roof.faces) {
     Polygon rings;
-    std::vector<uint32_t> loop;
+    std::vector<uint32_t> numbers;
     const auto add = [&](const std::vector<Vec3>& ring) {
       for (const Vec3& p : ring) {
-        loop.push_back(static_cast<uint32_t>(mesh.points.size()));
+        numbers.push_back(static_cast<uint32_t>(mesh.points.size()));
         mesh.points.push_back(c.shape.ground ? Vec3{p.x, p.z, depth - p.y} : p);
         rings.add_point({p.x, p.y});
       }
       rings.close_ring();
     };
     add(face.loop);
-    if (face.holes.empty()) {
-      mesh.add_face(loop, face.tag);
-      continue;
-    }
     for (const auto& hole : face.holes) add(hole);
-    const auto triangles = triangulate(rings);
-    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-      const uint32_t corners[] = {loop[triangles[i]], loop[triangles[i + 1]],
-                                  loop[triangles[i + 2]]};
-      mesh.add_face(corners, face.tag);
-    }
+    add_flat(mesh, rings, std::move(numbers), face.tag, false);
   }
   Shape solid = c.shape;
   const Box3 box = bounds(mesh.points);
@@ -165,7 +141,8 @@ void roof(Context& c, std::string_view kind, std::optional<double> pitch,
   options.thickness = in_range(c, 6, thickness, options.thickness, 0.001, 10);
   const bool bare = options.kind == RoofKind::flat && options.overhang == 0 && options.parapet == 0;
   if (bare && c.has_parts()) return give_flat(c);
-  const Polygon plan = flat_plan(c);
+  need_lying(c);
+  const Polygon plan = plan_of(c.machine, c.shape);
   if (gables) {
     const auto chosen = std::make_shared<std::vector<bool>>(chosen_edges(c, 4, *gables, plan));
     options.gables = [chosen](uint32_t edge) { return edge < chosen->size() && (*chosen)[edge]; };

@@ -24,25 +24,15 @@ struct Direction {
   Polygon outline;  ///< diagonal only
 };
 
-Polygon outline_of(Context& c) {
-  if (c.shape.form == Form::rectangle) {
-    return rectangle(c.shape.scope.size.x, c.shape.scope.size.y);
-  }
-  if (c.shape.form != Form::polygon) c.fail(0, "only a flat shape can be split along an angle");
-  const PooledPolygon& pooled = c.machine.polygon_of(c.shape);
-  const PlaneMap map(c.shape, pooled.natural);
-  Polygon outline = pooled.polygon;
-  for (Vec2& p : outline.points) p = map.scaled(p);
-  return outline;
-}
-
 Direction direction_of(Context& c, const Value& axis) {
   Direction d;
   if (axis.type == Type::number) {
     d.diagonal = true;
     const double angle = axis.number * 3.14159265358979323846 / 180;
     d.along = {std::cos(angle), std::sin(angle)};
-    d.outline = outline_of(c);
+    if (c.shape.form != Form::rectangle && c.shape.form != Form::polygon)
+      c.fail(0, "only a flat shape can be split along an angle");
+    d.outline = plan_of(c.machine, c.shape);
     double low = 1e300, high = -1e300;
     for (const Vec2 p : d.outline.points) {
       low = std::min(low, dot(p, d.along));
@@ -109,9 +99,7 @@ void check_size(Machine& machine, ExprId at, const Value& v) {
     const std::string number = number_text(v.number);
     d.text = "a size can not be negative: " +
              (d.at.text() == number ? number : "'" + std::string(d.at.text()) + "' is " + number);
-    if (const Span written = machine.program.origin(v).at; written && !(written == d.at)) {
-      d.notes.push_back({"it was written here", written});
-    }
+    note_writer(d, "it", machine.program.origin(v));
     d.help = "max(0, ...) keeps it from falling below 0";
     throw Failure(std::move(d));
   }

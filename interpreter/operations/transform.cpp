@@ -31,27 +31,35 @@ Mesh world_mesh(Context& c) {
   const std::size_t first = faces.size();
   push_faces(c.machine, c.shape);
   for (std::size_t i = first; i < faces.size(); ++i) {
-    const Shape& face = faces[i];
-    std::vector<Vec2> outline{{0, 0},
-                              {face.scope.size.x, 0},
-                              {face.scope.size.x, face.scope.size.y},
-                              {0, face.scope.size.y}};
-    if (face.form == Form::polygon) {
-      const PooledPolygon& pooled = c.machine.polygon_of(face);
-      const PlaneMap map(face, pooled.natural);
-      outline.clear();
-      for (const Vec2 p : pooled.polygon.ring(0)) outline.push_back(map.scaled(p));
-    }
-    std::vector<uint32_t> loop;
-    for (const Vec2 p : outline) {
-      loop.push_back(static_cast<uint32_t>(mesh.points.size()));
-      mesh.points.push_back(face.scope.at({p.x, p.y, 0}));
-    }
-    if (mirrored(face.scope)) std::reverse(loop.begin(), loop.end());
-    mesh.add_face(loop, face.tag);
+    const Scope& scope = faces[i].scope;
+    add_flat(mesh, plan_of(c.machine, faces[i]), faces[i].tag, mirrored(scope), [&](Vec2 p) {
+      return scope.at({p.x, p.y, 0});
+    });
   }
   faces.resize(first);
   return mesh;
+}
+
+/// In a frame that lies or stands with it, a flat shape stays one.
+bool stays_flat(Context& c, const Scope& frame) {
+  if (c.shape.form != Form::rectangle && c.shape.form != Form::polygon) return false;
+  const Shape face = c.shape.ground ? lying_face(c.shape) : c.shape;
+  const Vec3 normal = face.scope.z;
+  const bool lies = dot(frame.y, normal) > 1 - 1e-9, stands = dot(frame.z, normal) > 1 - 1e-9;
+  if (mirrored(face.scope) || (!lies && !stands)) return false;
+  Polygon plan = plan_of(c.machine, face);
+  Scope scope = frame;
+  scope.origin = face.scope.origin;
+  for (Vec2& p : plan.points) {
+    const Vec3 q = scope.to_local(face.scope.at({p.x, p.y, 0}));
+    p = lies ? Vec2{q.x, -q.z} : Vec2{q.x, q.y};
+  }
+  c.shape.scope = scope;
+  c.shape.form = Form::polygon;
+  c.shape.ground = lies;
+  c.shape.uv_frame = Shape::none;
+  c.machine.adopt(c.shape, std::move(plan));
+  return true;
 }
 
 }  // namespace
@@ -143,6 +151,7 @@ void align(Context& c, std::string_view to) {
   }
   scope.y = normalized(Vec3{0, 1, 0} - scope.x * scope.x.y);
   scope.z = cross(scope.x, scope.y);
+  if (stays_flat(c, scope)) return;
   for (Vec3& p : mesh.points) p = scope.to_local(p);
   const Box3 box = bounds(mesh.points);
   scope.origin = scope.at(box.low);

@@ -34,6 +34,7 @@ struct OneMesh final : MeshSource {
     problem = "no such file";
     return path.ends_with(".obj") ? &box : nullptr;
   }
+  bool has_picture(const std::string& path) override { return path.ends_with(".png"); }
 };
 
 Footprint ring() {

@@ -23,9 +23,7 @@ struct Compiled {
     REQUIRE_MESSAGE(program, (diagnostics.all().empty() ? "" : diagnostics.all()[0].text));
   }
 
-  struct NoMeshes final : MeshSource {
-    const Mesh* mesh(const std::string&, std::string&) override { return nullptr; }
-  } meshes;
+  NoMeshes meshes;
   MemoryFiles files;
   Library library;
   Diagnostics diagnostics;
@@ -107,7 +105,7 @@ TEST_CASE("a draw is the one that the derivation makes") {
   footprint.polygon.ring_ends = {4};
   DeriveOptions options;
   options.seed = 12;
-  Compiled::NoMeshes meshes;
+  NoMeshes meshes;
   Derivation derivation(*compiled.program, meshes, options);
   Building building;
   derivation.derive(footprint, building);

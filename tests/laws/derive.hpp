@@ -11,15 +11,6 @@
 
 namespace mansard::test {
 
-/// No meshes: elements stay plain polygons.
-class NoMeshes final : public MeshSource {
- public:
-  const Mesh* mesh(const std::string&, std::string& problem) override {
-    problem = "no meshes here";
-    return nullptr;
-  }
-};
-
 /// A script that is linked and compiled, from its text or from a file of the project.
 class Script {
  public:
