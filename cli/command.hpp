@@ -37,6 +37,7 @@ int run_format(const Arguments&);
 int run_tree(const Arguments&);
 int run_render(const Arguments&);
 int run_vary(const Arguments&);
+int run_lsp(const Arguments&);
 int run_help(const Arguments&);
 
 }  // namespace mansard

@@ -140,6 +140,7 @@ constexpr std::array vary_flags{
     quiet_flag,
     color_flag};
 constexpr std::array help_flags{json_flag};
+constexpr std::array lsp_flags{path_flag};
 
 constexpr std::array rows{
     Command{"derive", "FILE.style FOOTPRINTS -o OUT", "derives a building for every footprint", 2,
@@ -174,6 +175,8 @@ constexpr std::array rows{
         "--sweep Tile.WindowWidth=0.6:1.4:0.2 --export variations -o sheet.png\nmansard vary "
         "terrace.style rect:6x10 --styles Terrace,TerraceWithSills --count 4 -o sheet.png",
         run_vary},
+    Command{"lsp", "", "the language server for editors, on standard input and output", 0, 0,
+            lsp_flags, "mansard lsp --style-path ../styles", run_lsp},
     Command{"help", "[TOPIC]",
             "explains a command, an operation, a function, a warning or a topic of the language", 0,
             1, help_flags,

@@ -5,37 +5,16 @@
 
 #include "cli/arguments.hpp"
 #include "cli/topics.hpp"
+#include "cli/vocabulary.hpp"
 #include "grammar/codes.hpp"
 #include "grammar/parse.hpp"
+#include "interpreter/attribute_table.hpp"
 #include "interpreter/function.hpp"
 #include "interpreter/operation.hpp"
+#include "interpreter/selectors.hpp"
 
 namespace mansard {
 namespace {
-
-std::string quoted_usage(const Operation& o) {
-  std::string text = std::string(o.name) + "(" + std::string(o.args) + ")";
-  switch (o.rule) {
-    case PartRule::without:
-      break;
-    case PartRule::body:
-      text += " { PART }";
-      break;
-    case PartRule::named:
-      text += " { " + std::string(o.parts) + " }";
-      break;
-    case PartRule::sizes:
-      text += " { PART | ... }";
-      break;
-    case PartRule::pattern:
-      text += " { size : PART | { size : PART | ... }* }";
-      break;
-    case PartRule::selectors:
-      text += " { selector : PART | ... }";
-      break;
-  }
-  return text;
-}
 
 void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
 
@@ -70,7 +49,7 @@ void command_page(const Command& c) {
 }
 
 void operation_page(const Operation& o) {
-  print(quoted_usage(o) + "\n\n  " + std::string(o.summary) + "\n");
+  print(usage(o) + "\n\n  " + std::string(o.summary) + "\n");
   if (!o.example.empty()) print("\nExample\n  FOOTPRINT -> " + std::string(o.example) + "\n");
 }
 
@@ -85,7 +64,7 @@ void operations_list() {
     if (o.group != group)
       std::printf("%s%s\n", group.empty() ? "" : "\n", std::string(o.group).c_str());
     group = o.group;
-    std::printf("  %s\n      %s\n", quoted_usage(o).c_str(), std::string(o.summary).c_str());
+    std::printf("  %s\n      %s\n", usage(o).c_str(), std::string(o.summary).c_str());
   }
 }
 
@@ -102,6 +81,13 @@ void codes_list() {
   }
 }
 
+template <class Name>
+nlohmann::ordered_json names(std::size_t count, Name name) {
+  auto all = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < count; ++i) all.push_back(name(i));
+  return all;
+}
+
 void all_as_json() {
   nlohmann::ordered_json json;
   for (const Command& c : commands()) {
@@ -112,11 +98,14 @@ void all_as_json() {
         {{"name", c.name}, {"usage", c.usage}, {"summary", c.summary}, {"flags", flags}});
   }
   for (const Operation& o : operations()) {
-    json["operations"].push_back({{"name", o.name},
-                                  {"group", o.group},
-                                  {"usage", quoted_usage(o)},
-                                  {"summary", o.summary},
-                                  {"example", o.example}});
+    json["operations"].push_back(
+        {{"name", o.name},
+         {"group", o.group},
+         {"usage", usage(o)},
+         {"args", names(o.count, [&](std::size_t i) { return o.parameter_name(i); })},
+         {"parts", names(parts_in(o.parts), [&](std::size_t i) { return part_name(o.parts, i); })},
+         {"summary", o.summary},
+         {"example", o.example}});
   }
   for (const Function& f : functions()) {
     json["functions"].push_back(
@@ -124,6 +113,15 @@ void all_as_json() {
   }
   for (const CodePage& c : code_pages())
     json["warnings"].push_back({{"code", c.code}, {"title", c.title}, {"page", c.page}});
+  const auto put = [&](const char* table, std::string_view name, std::string_view summary) {
+    json[table].push_back({{"name", name}, {"summary", summary}});
+  };
+  for (const WordRow& w : word_rows()) put("words", w.name, w.summary);
+  for (const WordRow& w : annotation_rows()) put("annotations", w.name, w.summary);
+  for (const std::string_view word : selector_words)
+    put("selectors", word, selector_summary(*find_selector(word)));
+  for (const AttributeRow& a : attributes()) put("attributes", a.name, a.summary);
+  for (const InputRow& i : inputs()) put("inputs", i.name, i.summary);
   json["keywords"] = nlohmann::ordered_json::array();
   for (const std::string_view k : keywords()) json["keywords"].push_back(k);
   print(json.dump(1) + "\n");

@@ -26,9 +26,6 @@ bool DiskMeshes::has_picture(const std::string& path) {
   return it->second;
 }
 
-namespace {
-
-/// Beside the program when it is installed, else in the sources it was built from.
 std::vector<std::string> style_path(const Arguments& arguments) {
   std::vector<std::string> path = arguments.values("--style-path");
   std::error_code error;
@@ -39,6 +36,8 @@ std::vector<std::string> style_path(const Arguments& arguments) {
   path.emplace_back(MANSARD_STYLE_LIBRARY);
   return path;
 }
+
+namespace {
 
 std::pair<std::string, std::string> name_and_value(const std::string& text, std::string_view flag) {
   const auto equals = text.find('=');

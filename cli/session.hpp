@@ -64,6 +64,9 @@ class Session {
   bool json_, color_, quiet_;
 };
 
+/// Where imports and meshes are looked for: --style-path, then the shipped library, which stands
+/// beside the program when it is installed, else in the sources it was built from.
+std::vector<std::string> style_path(const Arguments& arguments);
 CompileOptions compile_options(const Arguments& arguments);
 /// Without --seed it is the one that the style to be derived carries, else 0.
 DeriveOptions derive_options(const Arguments& arguments, const Program& program);

@@ -134,6 +134,16 @@ id, a group g for each symbol, polygons as they are, with normals and texture co
 areas of every terminal and the sums of report(). The same inputs give the same bytes on any number of
 threads. Exit status: 0 done, 1 something in the input is wrong, 2 wrong usage, 3 an internal failure.)"},
     Topic{
+        "editors", "Scripts in an editor",
+        R"(mansard lsp speaks the Language Server Protocol: problems as you type, hover with documentation and
+where a value comes from, definition, declaration (what a member overrides), implementation (what overrides
+it), references, rename across files, completion, signatures, outlines, quick fixes.
+
+  editors/vscode     an extension for Visual Studio Code
+  editors/neovim     a set-up for Neovim's own client
+
+For any other editor: start 'mansard lsp' for files that end in .style. See docs/editors.md.)"},
+    Topic{
         "files", "Where imports, meshes and textures are looked for",
         R"(  import "parts.style"             beside the importing file, in --style-path, in the library
   Elements { WINDOW : "w.mesh" }   the same places; then w.obj and w.glb; if missing, warning W008

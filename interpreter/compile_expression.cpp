@@ -1,63 +1,11 @@
 #include <algorithm>
-#include <array>
 
+#include "interpreter/attribute_table.hpp"
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
 
 namespace mansard {
 namespace {
-
-struct NamedAttribute {
-  std::string_view name;
-  Attribute attribute;
-};
-constexpr std::array<NamedAttribute, 36> attributes{{
-    {"W", Attribute::width},
-    {"H", Attribute::height},
-    {"D", Attribute::depth},
-    {"scope.sx", Attribute::width},
-    {"scope.sy", Attribute::height},
-    {"scope.sz", Attribute::depth},
-    {"scope.tx", Attribute::tx},
-    {"scope.ty", Attribute::ty},
-    {"scope.tz", Attribute::tz},
-    {"area", Attribute::area},
-    {"volume", Attribute::volume},
-    {"perimeter", Attribute::perimeter},
-    {"inradius", Attribute::inradius},
-    {"edges", Attribute::edges},
-    {"is_rectangle", Attribute::is_rectangle},
-    {"is_convex", Attribute::is_convex},
-    {"is_planar", Attribute::is_planar},
-    {"facing", Attribute::facing},
-    {"slope", Attribute::slope},
-    {"elevation", Attribute::elevation},
-    {"split.index", Attribute::split_index},
-    {"split.count", Attribute::split_count},
-    {"split.round", Attribute::split_round},
-    {"comp.index", Attribute::comp_index},
-    {"comp.count", Attribute::comp_count},
-    {"comp.name", Attribute::comp_name},
-    {"level", Attribute::level},
-    {"index", Attribute::index},
-    {"symbol", Attribute::symbol},
-    {"seed", Attribute::seed},
-    {"scope.W", Attribute::width},
-    {"scope.H", Attribute::height},
-    {"scope.D", Attribute::depth},
-    {"scope.x", Attribute::tx},
-    {"scope.y", Attribute::ty},
-    {"scope.z", Attribute::tz},
-}};
-
-struct NamedInput {
-  std::string_view name;
-  Input input;
-};
-constexpr std::array<NamedInput, 4> inputs{{{"BUILDING_HEIGHT", Input::height},
-                                            {"BUILDING_LEVELS", Input::levels},
-                                            {"BUILDING_NAME", Input::name},
-                                            {"BUILDING_USE", Input::use}}};
 
 ExprKind kind_of(syntax::Infix op) {
   using enum syntax::Infix;
@@ -214,14 +162,10 @@ ExprId Compiler::plain_name(const syntax::Name& name, NameScope& scope) {
     }
     return node(ExprKind::fits, name.at, {}, scope.fits_call);
   }
-  for (const NamedAttribute& a : attributes) {
-    if (a.name == name.text)
-      return node(ExprKind::attribute, name.at, {}, 0, static_cast<uint8_t>(a.attribute));
-  }
-  for (const NamedInput& i : inputs) {
-    if (i.name == name.text)
-      return node(ExprKind::input, name.at, {}, 0, static_cast<uint8_t>(i.input));
-  }
+  if (const AttributeRow* row = find_attribute(name.text))
+    return node(ExprKind::attribute, name.at, {}, 0, static_cast<uint8_t>(row->attribute));
+  if (const InputRow* row = find_input(name.text))
+    return node(ExprKind::input, name.at, {}, 0, static_cast<uint8_t>(row->input));
   if (known_symbols_.contains(name.text) || (scope.symbols && looks_like_symbol(name.text))) {
     return constant(Value::of_symbol(program_.symbols.intern(name.text)), name.at);
   }
@@ -234,8 +178,8 @@ void Compiler::unknown_name(const syntax::Name& name, const NameScope& scope) {
   for (const VariableBinding& v : linked.variables) {
     if (v.block == scope.block || v.block.empty()) known.push_back(v.name);
   }
-  for (const NamedAttribute& a : attributes) known.push_back(a.name);
-  for (const NamedInput& i : inputs) known.push_back(i.name);
+  for (const AttributeRow& a : attributes()) known.push_back(a.name);
+  for (const InputRow& i : inputs()) known.push_back(i.name);
   std::string help = meant(name.text, known);
   for (const VariableBinding& v : linked.variables) {
     if (v.name == name.text)
@@ -253,17 +197,15 @@ ExprId Compiler::dotted_name(const syntax::Reference& r, Span at, NameScope& sco
   }
   if (r.names.size() == 2) {
     const std::string full = qualified(first, second);
-    for (const NamedAttribute& a : attributes) {
-      if (a.name == full)
-        return node(ExprKind::attribute, at, {}, 0, static_cast<uint8_t>(a.attribute));
-    }
+    if (const AttributeRow* row = find_attribute(full))
+      return node(ExprKind::attribute, at, {}, 0, static_cast<uint8_t>(row->attribute));
     if (const uint32_t slot = variable_slot(scope.style, first, second); slot != none) {
       return node(ExprKind::variable, at, {}, slot);
     }
   }
   std::vector<std::string_view> known;
   for (const VariableSlot& v : program_.variables) known.push_back(v.name);
-  for (const NamedAttribute& a : attributes) known.push_back(a.name);
+  for (const AttributeRow& a : attributes()) known.push_back(a.name);
   const auto full = std::string(at.text());
   refuse(at, "unknown variable '" + full + "'", meant(full, known));
 }

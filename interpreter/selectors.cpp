@@ -7,6 +7,33 @@
 
 namespace mansard {
 
+std::string_view selector_summary(Selector selector) {
+  constexpr std::array<std::string_view, selector_words.size()> summaries{
+      "All faces.",
+      "Faces steeper than 45°.",
+      "Faces steeper than 45°; the same as side.",
+      "Faces steeper than 45°; the same as side.",
+      "Sides or edges that look to the front of the parent's frame.",
+      "Sides or edges that look to the back of the parent's frame.",
+      "Sides or edges that look to the left of the parent's frame.",
+      "Sides or edges that look to the right of the parent's frame.",
+      "Faces that look up.",
+      "Faces that look down.",
+      "Faces that stand upright.",
+      "Faces that lie level.",
+      "Faces that neither stand upright nor lie level.",
+      "The longest of the street walls.",
+      "Outer walls with no neighbour within 6 m before them; all outer free walls when there is "
+      "none.",
+      "Walls that touch a neighbour's footprint, within 5 cm.",
+      "Walls around a hole of the footprint.",
+      "Faces that a split made.",
+      "The lines of a flat shape, or of the base of an extruded footprint.",
+      "The points of a flat shape, or of the base of an extruded footprint.",
+      "All faces; standing last it takes the rest."};
+  return summaries[static_cast<std::size_t>(selector)];
+}
+
 std::optional<Selector> find_selector(std::string_view word) {
   const auto it = std::ranges::find(selector_words, word);
   if (it == selector_words.end()) return std::nullopt;

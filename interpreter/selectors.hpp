@@ -37,6 +37,9 @@ inline constexpr std::array<std::string_view, 21> selector_words{
     "right",  "top",   "bottom",  "vertical",  "horizontal", "slanted",  "main",
     "street", "party", "court",   "cut",       "edges",      "vertices", "all"};
 
+/// One sentence on each of selector_words, for editors.
+std::string_view selector_summary(Selector selector);
+
 std::optional<Selector> find_selector(std::string_view word);
 /// Selectors that a later version brings.
 bool is_later_selector(std::string_view word);

@@ -34,6 +34,8 @@ class Library {
   const syntax::Style* default_style() const { return default_; }
   /// Folder of the file that holds `at` (for element meshes and textures named in it).
   static std::string folder_of(const Span& at);
+  /// All files read, in order of beginning to read: a file before what it imports.
+  const std::deque<syntax::File>& read_files() const { return parsed_; }
   Files& files() const { return files_; }
   const std::vector<std::string>& style_path() const { return style_path_; }
   Sources& sources() { return sources_; }
