@@ -33,28 +33,37 @@ Hit ground_hit(Float3 from, Float3 direction) {
 /// Gathers what lies within a short piece of a ray; hits are refused so that the ray goes on.
 struct Gathering {
   RTCIntersectContext context;  // first: Embree hands back its address
-  const World* world;
   uint32_t triangle;
   float u, v;
+  float inside;  ///< how far from the triangle's border it was hit, 0..1/3
+  Float3 normal;
   bool faces_eye;
 };
+
+/// In one plane the last drawn is seen. A wall that ends at a roof is not: the ray met its border.
+bool is_seen_before(const Gathering& now, const Gathering& before) {
+  if (before.triangle == World::sky) return true;
+  if (now.faces_eye != before.faces_eye) return now.faces_eye;
+  const bool in_one_plane = std::abs(dot(now.normal, before.normal)) > 0.9999F;
+  return in_one_plane ? now.triangle > before.triangle : now.inside > before.inside;
+}
 
 void gather(const RTCFilterFunctionNArguments* call) {
   auto& seen = *reinterpret_cast<Gathering*>(call->context);
   call->valid[0] = 0;
-  const uint32_t triangle = RTCHitN_primID(call->hit, 1, 0);
+  Gathering now{};
+  now.triangle = RTCHitN_primID(call->hit, 1, 0);
+  now.u = RTCHitN_u(call->hit, 1, 0);
+  now.v = RTCHitN_v(call->hit, 1, 0);
+  now.inside = std::min({now.u, now.v, 1 - now.u - now.v});
   const Float3 direction{RTCRayN_dir_x(call->ray, 1, 0), RTCRayN_dir_y(call->ray, 1, 0),
                          RTCRayN_dir_z(call->ray, 1, 0)};
-  const Float3 normal{RTCHitN_Ng_x(call->hit, 1, 0), RTCHitN_Ng_y(call->hit, 1, 0),
-                      RTCHitN_Ng_z(call->hit, 1, 0)};
-  const bool faces_eye = dot(direction, normal) < 0;
-  const bool is_better = seen.triangle == World::sky ||
-                         (faces_eye != seen.faces_eye ? faces_eye : triangle > seen.triangle);
-  if (!is_better) return;
-  seen.triangle = triangle;
-  seen.faces_eye = faces_eye;
-  seen.u = RTCHitN_u(call->hit, 1, 0);
-  seen.v = RTCHitN_v(call->hit, 1, 0);
+  now.normal = normalized(Float3{RTCHitN_Ng_x(call->hit, 1, 0), RTCHitN_Ng_y(call->hit, 1, 0),
+                                 RTCHitN_Ng_z(call->hit, 1, 0)});
+  now.faces_eye = dot(direction, now.normal) < 0;
+  if (!is_seen_before(now, seen)) return;
+  now.context = seen.context;
+  seen = now;
 }
 
 }  // namespace

@@ -266,6 +266,29 @@ TEST_CASE("far from zero a building looks as near it") {
   CHECK(render(far, small()).rgb == render(near, small()).rgb);
 }
 
+TEST_CASE("a wall that ends at a roof does not show through it") {
+  Surface roof, house;
+  for (Surface* s : {&roof, &house}) {
+    add_quad(*s, {-4, 2, 3.3}, {4, 2, 3.3}, {4, 5.9, -3.3}, {-4, 5.9, -3.3}, 0);
+  }
+  // Its upper edge lies in the slope, but for what single precision may add.
+  const double low = 2 + 3.9 * 0.3 / 6.6 + 5e-5, high = low + 3.9 * 6 / 6.6;
+  add_quad(house, {3.6, 0, 3}, {3.6, 0, -3}, {3.6, high, -3}, {3.6, low, 3}, 0);
+  const auto seen = [](const Surface& surface) {
+    Scene scene;
+    scene.paints.push_back({{0.6, 0.3, 0.2}, false, {}});
+    scene.add(surface);
+    PictureOptions options = from({9, 16, 12}, {3.6, 3.95, 0});
+    options.camera.field_of_view = 1;  // only the slope is seen
+    return render(scene, options);
+  };
+  const Picture without = seen(roof), with = seen(house);
+  int specks = 0;
+  for (std::size_t i = 0; i < with.rgb.size(); ++i)
+    specks += std::abs(without.rgb[i] - with.rgb[i]) > 12;
+  CHECK(specks == 0);
+}
+
 TEST_CASE("a texture shows, the right way up; a missing one is the plain colour") {
   // Red above, blue below.
   Picture flag{2, 2, {200, 20, 20, 200, 20, 20, 20, 20, 200, 20, 20, 200}};
