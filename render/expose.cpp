@@ -46,6 +46,39 @@ void expose_sample(Film& film, int x, int row, const World& world, const Tracer&
   }
 }
 
+/// Whether the sample lies behind one plane in which both others lie.
+bool is_behind(const Film& film, int x, int row, int dx, int dy) {
+  const std::size_t before = film.at(x - dx, row - dy), after = film.at(x + dx, row + dy);
+  for (const std::size_t i : {before, after}) {
+    if (film.triangle[i] >= World::ground) return false;
+  }
+  const Float3 normal = film.seen[before].normal;
+  if (dot(normal, film.seen[after].normal) < 0.999F) return false;
+  const Float3 point = film.point(x - dx, row - dy);
+  const float slack = 0.02F + 2 * film.pixel * film.seen[before].depth;
+  if (std::abs(dot(normal, film.point(x + dx, row + dy) - point)) > slack) return false;
+  const std::size_t here = film.at(x, row);
+  if (film.triangle[here] == World::sky) return true;
+  return dot(normal, film.point(x, row) - point) < -slack;
+}
+
+/// Where a polygon's corner touches another's side, a ray can slip through between them. A lone
+/// sample behind a surface that is all around it is taken to be that surface.
+void close_cracks(Film& film) {
+  for (int row = 1; row + 1 < film.rows; ++row) {
+    for (int x = 1; x + 1 < film.width; ++x) {
+      const std::size_t here = film.at(x, row), before = here - 1;
+      if (film.triangle[here] == film.triangle[before]) continue;
+      if (!is_behind(film, x, row, 1, 0) || !is_behind(film, x, row, 0, 1)) continue;
+      film.triangle[here] = film.triangle[before];
+      film.seen[here] = film.seen[before];
+      film.color[here] = film.color[before];
+      film.shine[here] = film.shine[before];
+      film.light[here] = film.light[before];
+    }
+  }
+}
+
 }  // namespace
 
 Film::Film(const PictureOptions& options, const Lens& of, int band_top, int band_rows)
@@ -73,6 +106,7 @@ void expose(Film& film, const World& world, const Tracer& tracer, const Lighting
       expose_sample(film, x, row, world, tracer, lighting, samples);
     }
   });
+  close_cracks(film);
 }
 
 }  // namespace mansard

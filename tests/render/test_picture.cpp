@@ -289,6 +289,35 @@ TEST_CASE("a wall that ends at a roof does not show through it") {
   CHECK(specks == 0);
 }
 
+TEST_CASE("a hole that only one ray finds is closed") {
+  Surface whole, pierced;
+  constexpr double size = 0.12;  // of a hole; rays meet the wall 0.15 m apart
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const double l = i, b = j, r = i + 1, t = j + 1, x = i + 0.4, y = j + 0.4;
+      const auto add = [](Surface& to, double x0, double y0, double x1, double y1) {
+        add_quad(to, {x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}, 0);
+      };
+      add(whole, l, b, r, t);
+      add(pierced, l, b, r, y);
+      add(pierced, l, y + size, r, t);
+      add(pierced, l, y, x, y + size);
+      add(pierced, x + size, y, r, y + size);
+    }
+  }
+  const auto seen = [](const Surface& surface) {
+    Scene scene;
+    scene.paints.push_back({{0.1, 0.05, 0.05}, false, {}});
+    scene.add(surface);
+    return render(scene, from({3, 3, 30}, {3, 3, 0}));
+  };
+  const Picture wall = seen(whole), closed = seen(pierced);
+  int specks = 0;
+  for (std::size_t i = 0; i < wall.rgb.size(); ++i)
+    specks += std::abs(wall.rgb[i] - closed.rgb[i]) > 10;
+  CHECK(specks == 0);
+}
+
 TEST_CASE("a texture shows, the right way up; a missing one is the plain colour") {
   // Red above, blue below.
   Picture flag{2, 2, {200, 20, 20, 200, 20, 20, 20, 20, 200, 20, 20, 200}};
