@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Runs the scripts that people read: tests/docs/run_examples.py MANSARD docs|examples|format
 
-docs: every block ```style of README.md and docs/*.md is checked and derived on rect:10x8; an error
-fails. A block that holds a style stands alone. Any other is a fragment: blocks (`Tile { ... }`) or
-bare rules; it is put into a style whose FOOTPRINT, unless the fragment has its own, is a mass of 6 m
-with the symbols FACADE and ROOF, so a fragment has rules for one of these three.
+docs: every block ```style of README.md and docs/*.md, but of the tutorial, which has a test of its
+own, is checked and derived on rect:10x8; an error fails. A block that holds a style stands alone.
+Any other is a fragment: blocks (`Tile { ... }`) or bare rules; it is put into a style whose
+FOOTPRINT, unless the fragment has its own, is a mass of 6 m with the symbols FACADE and ROOF, so a
+fragment has rules for one of these three.
 
-examples: every examples/*.style is run by the command that its comments give after `run:`.
+examples: every script in examples/, but for the tutorial's, is run by the command that its comments
+give after `run:`.
 
 format: every script in examples/ and styles/library/ stands as `mansard format` lays it out, but for
 the listings, which are kept as they were given.
@@ -27,7 +29,8 @@ FACE_COUNT = re.compile(r"(\d+) polygons")
 
 def blocks():
     """(where, text) of every block."""
-    for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    pages = sorted(set((ROOT / "docs").glob("*.md")) - {ROOT / "docs" / "tutorial.md"})
+    for page in [ROOT / "README.md", *pages]:
         text = page.read_text(encoding="utf-8")
         for match in FENCE.finditer(text):
             line = text.count("\n", 0, match.start()) + 2
@@ -92,7 +95,9 @@ def run_examples(mansard, folder):
         return run(mansard, ["check", str(where)], where) or run(mansard, words, where)
 
     with ThreadPoolExecutor(2) as pool:
-        return list(pool.map(one, sorted((ROOT / "examples").rglob("*.style"))))
+        tutorial = ROOT / "examples" / "tutorial"
+        scripts = set((ROOT / "examples").rglob("*.style")) - set(tutorial.glob("*.style"))
+        return list(pool.map(one, sorted(scripts)))
 
 
 def check_format(mansard, _):
