@@ -23,6 +23,7 @@ constexpr std::array rows{
     Request{"textDocument/signatureHelp", signature_help},
     Request{"textDocument/documentSymbol", document_symbols},
     Request{"textDocument/foldingRange", folding_ranges},
+    Request{"textDocument/formatting", formatting},
     Request{"textDocument/codeAction", code_actions},
     Request{"workspace/symbol", workspace_symbols},
 };
@@ -50,6 +51,7 @@ Json capabilities(Encoding encoding) {
       {"signatureHelpProvider", Json::object({{"triggerCharacters", Json::array({"(", ","})}})},
       {"documentSymbolProvider", true},
       {"foldingRangeProvider", true},
+      {"documentFormattingProvider", true},
       {"codeActionProvider", Json::object({{"codeActionKinds", Json::array({"quickfix"})}})},
       {"workspaceSymbolProvider", true},
       {"workspace", Json::object({{"workspaceFolders", folders}})},

@@ -28,6 +28,7 @@ Json document_symbols(Project& project, const Params& params);
 Json workspace_symbols(Project& project, const Params& params);
 Json folding_ranges(Project& project, const Params& params);
 
+Json formatting(Project& project, const Params& params);
 Json code_actions(Project& project, const Params& params);
 
 }  // namespace mansard::lsp

@@ -80,7 +80,10 @@ Json Json::raw(std::string text) {
 Json& Json::put(std::string_view name, const Json& value) {
   text_.pop_back();
   if (text_.size() > 1) text_ += ',';
-  text_ += Json(name).text_ + ':' + value.text_ + '}';
+  text_ += Json(name).text_;
+  text_ += ':';
+  text_ += value.text_;
+  text_ += '}';
   return *this;
 }
 

@@ -38,6 +38,12 @@ std::vector<View*> Project::views_around(const std::string& path) {
   return views;
 }
 
+void Project::forget_files() {
+  workspace_.forget();
+  meshes_ = std::make_unique<DiskMeshes>();
+  for (auto& [identity, kept] : views_) kept->forget_check();
+}
+
 void Project::settle() {
   retired_.clear();
   const auto closed = [&](const auto& kept) { return !documents_.all().contains(kept.first); };

@@ -29,7 +29,9 @@ class Project {
 
   Documents& documents() { return documents_; }
   Workspace& workspace() { return workspace_; }
-  MeshSource& meshes() { return meshes_; }
+  MeshSource& meshes() { return *meshes_; }
+  /// Meshes and pictures may be others: they are read anew when asked for next.
+  void forget_files();
   const std::vector<std::string>& style_path() const { return style_path_; }
   Encoding encoding = Encoding::utf16;
   bool snippets = false;  ///< whether completions may have places to fill in
@@ -54,7 +56,7 @@ class Project {
   std::vector<std::string> style_path_;
   Documents documents_;
   Workspace workspace_;
-  DiskMeshes meshes_;
+  std::unique_ptr<DiskMeshes> meshes_ = std::make_unique<DiskMeshes>();
   std::map<std::string, std::unique_ptr<View>> views_, sound_;  ///< by identity
   std::vector<std::unique_ptr<View>> retired_;
 };

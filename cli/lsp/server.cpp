@@ -147,7 +147,7 @@ void Server::notice(const std::string& method, const Params& params) {
   } else if (method.starts_with("textDocument/")) {
     take_document(method, params);
   } else if (method == "workspace/didChangeWatchedFiles") {
-    project_.workspace().forget();
+    project_.forget_files();
     is_dirty_ = true;
   } else if (method == "workspace/didChangeWorkspaceFolders") {
     change_folders(params["event"]);
@@ -166,6 +166,8 @@ void Server::take_document(const std::string& method, const Params& params) {
     return;
   } else if (method == "textDocument/didClose") {
     documents.close(uri);
+  } else if (method == "textDocument/didSave") {
+    project_.forget_files();
   }
   project_.workspace().forget();  // opened, closed or saved: other files may be there
 }

@@ -67,13 +67,13 @@ const Meanings& View::meanings() {
 }
 
 const Diagnostics& View::checked(MeshSource& meshes) {
-  if (is_checked_) return reading_;
-  is_checked_ = true;
+  if (checked_) return *checked_;
+  checked_ = reading_;
   CompileOptions options;
   options.all_styles = true;
-  if (root_ && !reading_.has_errors()) compile(library_, meshes, options, reading_);
-  reading_.sort();
-  return reading_;
+  if (root_ && !reading_.has_errors()) compile(library_, meshes, options, *checked_);
+  checked_->sort();
+  return *checked_;
 }
 
 }  // namespace mansard::lsp

@@ -59,6 +59,8 @@ class View {
 
   /// What `mansard check` says.
   const Diagnostics& checked(MeshSource& meshes);
+  /// Check again when asked next.
+  void forget_check() { checked_.reset(); }
 
  private:
   void collect_words();
@@ -72,7 +74,7 @@ class View {
   std::unique_ptr<Meanings> meanings_;
   std::unordered_map<std::string, const syntax::File*> by_identity_;
   std::unordered_map<const Source*, Lines> lines_;
-  bool is_checked_ = false;
+  std::optional<Diagnostics> checked_;
 };
 
 }  // namespace mansard::lsp

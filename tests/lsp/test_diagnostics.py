@@ -122,6 +122,16 @@ class Diagnostics(Case):
             {"uri": self.uri("house.style"), "type": 2}]})
         self.assertEqual(len(self.client.published(self.uri("narrow.style"))), 1)
 
+    def test_a_mesh_that_comes_later(self):
+        self.write(a='style A { B { FOOTPRINT -> WALL } Elements { WALL : "w.obj" } }')
+        self.serve("a.style")
+        warning, = self.client.published(self.uri("a.style"))
+        self.assertEqual(warning["code"], "W008")
+        (self.folder / "w.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.client.notify("workspace/didChangeWatchedFiles", {"changes": [
+            {"uri": self.uri("w.obj"), "type": 1}]})
+        self.assertEqual(self.client.published(self.uri("a.style")), [])
+
     def test_two_open_scripts_say_a_thing_once(self):
         self.write(house=HOUSE.replace("extrude(Height)", "extrude(Heigt)"), narrow=NARROW)
         self.serve("house.style", "narrow.style")

@@ -114,11 +114,12 @@ class Garbage(Case):
                 "position": {"line": 1, "character": 7}}
         methods = [m for m in ("hover", "definition", "declaration", "implementation", "references",
                                "documentHighlight", "prepareRename", "rename", "completion",
-                               "signatureHelp", "documentSymbol", "foldingRange", "codeAction")]
+                               "signatureHelp", "documentSymbol", "foldingRange", "codeAction",
+                               "formatting")]
         for method in methods:
             for params in (None, [], {}, 3, {"textDocument": 1}, {"textDocument": {"uri": 7}},
                            {**here, "position": []} if method not in
-                           ("documentSymbol", "foldingRange") else {}):
+                           ("documentSymbol", "foldingRange", "formatting") else {}):
                 with self.assertRaises(Refused, msg=(method, params)) as caught:
                     self.client.request("textDocument/" + method, params)
                 self.assertEqual(caught.exception.code, -32602, (method, params))
@@ -200,7 +201,7 @@ class Garbage(Case):
                         self.client.request("textDocument/rename", {**here, "newName": "Fresh"})
                     except Refused as refused:
                         self.assertEqual(refused.code, -32803)
-            for method in ("documentSymbol", "foldingRange"):
+            for method in ("documentSymbol", "foldingRange", "formatting"):
                 self.client.request("textDocument/" + method, {
                     "textDocument": {"uri": self.uri("house.style")}})
 

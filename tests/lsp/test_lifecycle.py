@@ -16,7 +16,7 @@ class Lifecycle(unittest.TestCase):
         server = Client()
         for name in ("hover", "definition", "declaration", "implementation", "references", "rename",
                      "completion", "signatureHelp", "documentSymbol", "workspaceSymbol",
-                     "foldingRange", "documentHighlight", "codeAction"):
+                     "foldingRange", "documentHighlight", "codeAction", "documentFormatting"):
             self.assertTrue(server.capabilities[name + "Provider"], name)
         self.assertEqual(server.capabilities["positionEncoding"], "utf-16")
         self.assertEqual(server.capabilities["textDocumentSync"]["change"], 2)

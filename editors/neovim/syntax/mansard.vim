@@ -4,7 +4,7 @@ if exists("b:current_syntax")
 endif
 
 syn match mansardSymbol /\<[A-Z][A-Z0-9_]\+\>/
-syn match mansardRule /\<\h\w*\ze\%(([^()]*)\)\=\%(\[[^][]*\]\)\=\s*\%(:[^:{}|\"]*\)\=->/
+syn match mansardRule /\%([-+*/<>=&|!(,:]\s*\)\@<!\<\h\w*\ze\%(([^()]*)\)\=\%(\[[^][]*\]\)\=\s*\%(:[^:{}|\"]*\)\=->/
 syn match mansardBlock /\<\h\w*\ze\s*{/
 syn match mansardOperation /\<\%(inner_rectangle\|cylinder\|chamfer\|detrude\|extrude\|setback\|texture\|center\|insert\|mirror\|offset\|repeat\|report\|shapeL\|shapeO\|shapeU\|sphere\|subdiv\|align\|color\|label\|pivot\|print\|split\|taper\|comp\|cone\|fail\|quad\|roof\|box\|cut\|set\|r\|s\|t\)\ze\s*[({]/
 syn match mansardFunction /\<\%(choose\|normal\|atan2\|clamp\|floor\|round\|acos\|asin\|atan\|attr\|ceil\|find\|rand\|sqrt\|abs\|cos\|exp\|len\|log\|max\|min\|mod\|num\|pow\|sin\|str\|tan\)\ze\s*(/
