@@ -40,6 +40,16 @@ Json json(Project& project, View& view, const Diagnostic& diagnostic) {
   return made;
 }
 
+bool check_next(Project& project) {
+  for (const auto& [identity, document] : project.documents().all()) {
+    View& view = project.view(document.path);
+    if (view.is_checked()) continue;
+    view.checked(project.meshes());
+    return true;
+  }
+  return false;
+}
+
 namespace {
 
 /// What is wrong, and where: a script and one that imports it say the same with other notes.

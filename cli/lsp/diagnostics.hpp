@@ -14,6 +14,10 @@ namespace mansard::lsp {
 /// as related information.
 Json json(Project& project, View& view, const Diagnostic& diagnostic);
 
+/// Checks one of the open scripts that have changed; false when there is none any more. One at a
+/// time, so that requests need not wait for all.
+bool check_next(Project& project);
+
 /// The diagnostics of all open scripts and of what they import, and what was said of them last.
 class Publisher {
  public:

@@ -19,13 +19,8 @@ int Server::run() {
   while (!status_) {
     project_.settle();
     if (waiting_.empty()) {
-      const bool more = read_all(is_dirty_ ? rest : -1);
-      if (!more && !status_ && is_dirty_) {
-        is_dirty_ = false;
-        publisher_.publish(project_, [this](const Json& params) {
-          send(Json::object({{"method", "textDocument/publishDiagnostics"}, {"params", params}}));
-        });
-      }
+      const bool more = read_all(!is_dirty_ ? -1 : is_checking_ ? 0 : rest);
+      if (!more && !status_ && is_dirty_) check_on();
       continue;
     }
     const Params message = waiting_.front();
@@ -34,6 +29,15 @@ int Server::run() {
     read_all(0);  // a request may have been cancelled meanwhile
   }
   return *status_;
+}
+
+void Server::check_on() {
+  is_checking_ = check_next(project_);
+  if (is_checking_) return;
+  is_dirty_ = false;
+  publisher_.publish(project_, [this](const Json& params) {
+    send(Json::object({{"method", "textDocument/publishDiagnostics"}, {"params", params}}));
+  });
 }
 
 /// All that has come; waits for the first. False when nothing came in that time.
@@ -140,6 +144,7 @@ Json Server::initialize(const Params& params) {
 }
 
 void Server::notice(const std::string& method, const Params& params) {
+  is_checking_ = false;
   if (method == "exit") {
     status_ = state_ == State::shut_down ? 0 : 1;
   } else if (state_ != State::running) {

@@ -33,6 +33,7 @@ class Server {
   enum class State : uint8_t { fresh, running, shut_down };
 
   bool read_all(int milliseconds);
+  void check_on();
   void take(const std::string& text);
   void handle(const Params& message);
   void answer(const Params& message, const std::string& method);
@@ -53,6 +54,7 @@ class Server {
   std::deque<Params> waiting_;
   std::optional<int> status_;  ///< to end with
   bool is_dirty_ = false;      ///< diagnostics may be others
+  bool is_checking_ = false;   ///< some scripts are checked, others not yet
 };
 
 }  // namespace mansard::lsp

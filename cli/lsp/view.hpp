@@ -59,6 +59,7 @@ class View {
 
   /// What `mansard check` says.
   const Diagnostics& checked(MeshSource& meshes);
+  bool is_checked() const { return checked_.has_value(); }
   /// Check again when asked next.
   void forget_check() { checked_.reset(); }
 
