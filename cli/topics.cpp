@@ -144,6 +144,25 @@ it), references, rename across files, completion, signatures, outlines, quick fi
 
 For any other editor: start 'mansard lsp' for files that end in .style. See docs/editors.md.)"},
     Topic{
+        "variations", "Contact sheets, and styles that keep a variation",
+        R"(mansard vary draws what differs side by side, by one camera, on one ground: seeds (--count), styles
+(--styles A,B,C), the values of a variable (--sweep). Two of these make rows and columns.
+
+  --sweep Tile.Width=0.6:1.4:0.2    from, to, step
+  --sweep Roof.Kind=gable,hip       values; a word is text, unless the style knows it as a name
+  --sweep Tile.Width                what @range(0.6, 1.4, 0.2) or @choice(...) before it says; of a long
+                                    range nine values
+
+Each picture is derived from a child style of three lines, which --export DIR writes beside its model:
+
+  // made by mansard vary
+  import "../terrace.style"
+  @seed(7) style Terrace_03 : Terrace { Tile { var Width = 0.8 } }
+
+Derived on the same footprint, with the same --attr and --lod, it gives the same bytes. So --sweep and --set
+say here what a style says: set() in a rule and a footprint's property are stronger. Files in DIR are written
+over only when they begin with this first line.)"},
+    Topic{
         "files", "Where imports, meshes and textures are looked for",
         R"(  import "parts.style"             beside the importing file, in --style-path, in the library
   Elements { WINDOW : "w.mesh" }   the same places; then w.obj and w.glb; if missing, warning W008

@@ -146,6 +146,7 @@ Variations variations_of(const Arguments& arguments, const Library& library,
                          Diagnostics& warnings) {
   const auto styles = bases(arguments, library);
   std::vector<LinkedStyle> all_linked;
+  all_linked.reserve(styles.size());
   for (const syntax::Style* style : styles) all_linked.push_back(linked(library, *style, warnings));
   const LinkedStyle& first = all_linked.front();
 

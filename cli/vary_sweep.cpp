@@ -248,6 +248,7 @@ std::vector<Change> sweep(const std::string& text, const LinkedStyle& style) {
     }
   }
   std::vector<Change> changes;
+  changes.reserve(values.size());
   for (std::string& value : values) changes.push_back({name, std::move(value)});
   return changes;
 }
