@@ -34,6 +34,7 @@ const Command* find_command(std::string_view name);
 int run_derive(const Arguments&);
 int run_check(const Arguments&);
 int run_format(const Arguments&);
+int run_explain(const Arguments&);
 int run_tree(const Arguments&);
 int run_render(const Arguments&);
 int run_vary(const Arguments&);

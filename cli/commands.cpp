@@ -65,6 +65,19 @@ constexpr std::array format_flags{
     json_flag,
     quiet_flag,
     color_flag};
+constexpr std::array explain_flags{
+    set_flag,
+    attr_flag,
+    Flag{"--footprint", "FOOTPRINTS", "whose properties and draws decide: a file, or rect:10x8"},
+    seed_flag,
+    select_flag,
+    id_flag,
+    layer_flag,
+    where_flag,
+    path_flag,
+    json_flag,
+    quiet_flag,
+    color_flag};
 constexpr std::array tree_flags{
     style_flag,
     seed_flag,
@@ -157,6 +170,14 @@ constexpr std::array rows{
             "mansard format terrace.style\nmansard format --write styles/*.style\nmansard format "
             "--check --diff styles/*.style",
             run_format},
+    Command{
+        "explain", "FILE.style [STYLE] [NAME]",
+        "shows where everything in a style comes from: its order, who gives what, what it hides", 1,
+        3, explain_flags,
+        "mansard explain sills.style\nmansard explain sills.style Sills Tile.Width\n"
+        "mansard explain quarter.style Villa TILE\n"
+        "mansard explain sills.style Tile --set Tile.Width=1.2",
+        run_explain},
     Command{"tree", "FILE.style FOOTPRINT", "prints the shape tree of a footprint", 2, 2,
             tree_flags,
             "mansard tree terrace.style rect:6x10 --depth 3\nmansard tree terrace.style rect:6x10 "

@@ -52,6 +52,7 @@ class DependenceWalk {
   void variable(uint32_t slot) {
     if (!variables_.insert(slot).second) return;
     const VariableSlot& v = program_.variables[slot];
+    if (v.binding && !v.binding->syntax->value && !v.from_command_line) found.abstract = true;
     const bool outer = std::exchange(once_a_building_, v.per == VariableSlot::Per::building);
     expression(v.value);
     once_a_building_ = outer;
@@ -136,16 +137,15 @@ class BuildingValues::Evaluator {
     DependenceWalk walk(program_);
     walk.variable(slot);
     result.dependence = walk.found;
+    result.property = property_named(v.name);
     if (v.from_command_line) {
       result.giver = VariableValue::Giver::command_line;
       const Span at = program_.spans[v.value];
-      result.written = at ? std::string(at.source->text()) : std::string();
-    } else if (const uint32_t property = machine_.variable_property_[slot]; property != none) {
-      return given_by_property(slot, property, std::move(result));
-    } else if (!v.binding->syntax->value) {
-      return result;  // abstract
+      result.command_line = at ? std::string(at.source->text()) : std::string();
+    } else if (result.property) {
+      return given_by_property(slot, std::move(result));
     }
-    if (!result.dependence.shape) evaluate(slot, result);
+    if (!result.dependence.shape && !result.dependence.abstract) evaluate(slot, result);
     return result;
   }
 
@@ -165,18 +165,25 @@ class BuildingValues::Evaluator {
   }
 
  private:
+  std::optional<std::string> property_named(const std::string& name) const {
+    const Property* property = machine_.footprint->find(name);
+    return property ? std::optional(property_text(property->value)) : std::nullopt;
+  }
+
   /// What a property says takes the type of the style's own value, or is not taken.
-  VariableValue given_by_property(uint32_t slot, uint32_t property, VariableValue result) {
+  VariableValue given_by_property(uint32_t slot, VariableValue result) {
     result.giver = VariableValue::Giver::property;
-    result.written = property_text(*machine_.property_values_[property]);
     if (result.dependence.shape) {
-      result.value = result.written;
+      result.value = result.property;
     } else {
       const std::size_t warned = building_.warnings.size();
       evaluate(slot, result);
       if (building_.warnings.size() > warned) {
         result.giver = VariableValue::Giver::style;
-        result.problem = building_.warnings.back().text;
+        const Type type = machine_.variable(slot, Env{}, program_.variables[slot].value).type;
+        result.problem = "property '" + program_.variables[slot].name + "' is \"" +
+                         *result.property + "\", not " + std::string(described(type)) +
+                         ": it is not taken";
         return result;
       }
     }

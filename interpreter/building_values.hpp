@@ -16,13 +16,16 @@ namespace mansard {
 struct Dependence {
   bool shape = false;      ///< the shape, or a set() on it: another value at each use
   bool random = false;     ///< draws: another value for each seed
+  bool abstract = false;   ///< a variable that a child has to give first
   bool footprint = false;  ///< properties of the footprint
 };
 
 struct VariableValue {
   enum class Giver : uint8_t { style, property, command_line };
   Giver giver = Giver::style;
-  std::string written;    ///< what the command line or the property says, as it stands there
+  /// What --set and the footprint's property of this name say, as it stands there, when they are
+  /// given: also a property that is too weak or can not be taken.
+  std::optional<std::string> command_line, property;
   Dependence dependence;  ///< of the value in force
   /// As a script would write it; nothing when it depends on the shape or can not be evaluated.
   std::optional<std::string> value;

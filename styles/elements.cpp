@@ -118,7 +118,7 @@ class Fold {
       case EntryKind::add: {
         Binding& binding = at(symbol);
         if (entry.kind == EntryKind::set || !present) {
-          for (const auto& choice : binding.alternatives) end(choice, entry.at, from);
+          for (const auto& choice : binding.alternatives) end(choice, entry, from);
           binding = Binding{};
           binding.symbol = symbol;
         }
@@ -131,12 +131,12 @@ class Fold {
       case EntryKind::take:
         if (!present) return complain_of_symbol(entry, from);
         for (const auto& alternative : entry.alternatives) {
-          take(bindings_[place->second], alternative, entry.at, from);
+          take(bindings_[place->second], alternative, entry, from);
         }
         break;
       case EntryKind::remove:
         if (!present) return complain_of_symbol(entry, from);
-        for (const auto& c : bindings_[place->second].alternatives) end(c, entry.at, from);
+        for (const auto& c : bindings_[place->second].alternatives) end(c, entry, from);
         bindings_[place->second].alternatives.clear();
         break;
     }
@@ -148,13 +148,13 @@ class Fold {
     return bindings_[place->second];
   }
 
-  template <class Choice>
-  void end(const Choice& choice, Span entry, const Origin& from) {
-    endings_[choice.syntax] = {from, entry};
+  template <class Choice, class Entry>
+  void end(const Choice& choice, const Entry& entry, const Origin& from) {
+    endings_[choice.syntax] = {from, entry.at, entry.kind};
   }
 
-  template <class Alternative>
-  void take(Binding& binding, const Alternative& wanted, Span entry, const Origin& from) {
+  template <class Alternative, class Entry>
+  void take(Binding& binding, const Alternative& wanted, const Entry& entry, const Origin& from) {
     const auto taken = [&](const auto& choice) {
       if (!means(wanted, *choice.syntax)) return false;
       end(choice, entry, from);

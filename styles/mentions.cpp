@@ -81,8 +81,12 @@ class Finder {
   bool sets_variable(std::span<const Arg> args) {
     const ExprPtr* first = args.empty() ? nullptr : &args[0].value.value;
     const auto* reference = first && *first ? std::get_if<Reference>(&(*first)->is) : nullptr;
-    if (reference) add(MentionKind::set, *reference);
-    return reference != nullptr;
+    if (!reference) return false;
+    const std::size_t before = found.size();
+    add(MentionKind::set, *reference);
+    const bool gives = found.size() > before && args.size() > 1 && args[1].value.value;
+    if (gives) found.back().value = args[1].value.value->at;
+    return true;
   }
 
   /// A label is a size in a split; elsewhere its words are those of the operation.
@@ -99,13 +103,13 @@ class Finder {
     const Name& last = reference.names.back();
     if (reference.names.size() == 1) return add(kind, {}, last);
     const Name& block = reference.names.front();
-    found.push_back({kind, block.text, last.text, join(block.at, last.at)});
+    found.push_back({kind, block.text, last.text, join(block.at, last.at), {}});
   }
 
   void add(MentionKind kind, std::string_view block, const Name& name) {
     const bool bare = kind == MentionKind::value || kind == MentionKind::emit;
     if (bare && (name.text == index || is_parameter(name.text))) return;
-    found.push_back({kind, block, name.text, name.at});
+    found.push_back({kind, block, name.text, name.at, {}});
   }
 
   bool is_parameter(std::string_view name) const {

@@ -20,7 +20,8 @@ struct Mention {
   MentionKind kind = MentionKind::value;
   std::string_view block;  ///< before the dot; empty when there is none
   std::string_view name;
-  Span at;  ///< with the block
+  Span at;     ///< with the block
+  Span value;  ///< what a set() gives; else nowhere
 };
 
 /// In text order. The parameters of the rule or function are left out, and what belongs to another

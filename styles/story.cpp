@@ -8,7 +8,13 @@ namespace mansard {
 // ---- a writing
 
 Span Writing::at() const {
-  return std::visit([](const auto* is) { return is->at; }, syntax);
+  Span at = std::visit([](const auto* is) { return is->at; }, syntax);
+  for (const Span& doc : preamble().docs) at.begin = std::max(at.begin, doc.end);
+  for (const auto& annotation : preamble().annotations)
+    at.begin = std::max(at.begin, annotation.at.end);
+  const std::string_view text = at.text();
+  at.begin += static_cast<uint32_t>(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return at;
 }
 
 Span Writing::name() const {

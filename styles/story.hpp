@@ -53,6 +53,7 @@ enum class UseKind : uint8_t {
 struct Use {
   UseKind kind;
   Span at;               ///< the words: `Width`, `Tile.Width`
+  Span value{};          ///< what a set() gives; else nowhere
   uint32_t story = 0;    ///< of the member that speaks, in Stories::all()
   uint32_t writing = 0;  ///< which of its writings
 };

@@ -71,7 +71,8 @@ struct MaterialBinding {
 /// Who replaced an alternative of an element or material, or took it away.
 struct Ending {
   Origin from;
-  Span at;  ///< of the entry that did
+  Span at;                                         ///< of the entry that did
+  syntax::EntryKind how = syntax::EntryKind::set;  ///< set, take or remove
 };
 
 struct LinkedStyle {

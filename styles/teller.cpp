@@ -181,7 +181,7 @@ class Teller {
     switch (mention.kind) {
       case MentionKind::value:
         if (add_variable(mention, UseKind::reads) || !mention.block.empty()) return;
-        symbol_values_.push_back({mention, {UseKind::names, mention.at, speaker_, writing_}});
+        symbol_values_.push_back({mention, {UseKind::names, mention.at, {}, speaker_, writing_}});
         return;
       case MentionKind::set:
         add_variable(mention, UseKind::sets);
@@ -215,14 +215,14 @@ class Teller {
   bool add(MemberKind kind, std::string_view block, const Mention& mention, UseKind how) {
     const auto found = stories_.numbers_.find(key(kind, block, mention.name));
     if (found == stories_.numbers_.end()) return false;
-    all()[found->second].uses.push_back({how, mention.at, speaker_, writing_});
+    all()[found->second].uses.push_back({how, mention.at, mention.value, speaker_, writing_});
     return true;
   }
 
   void add_symbol(std::string_view name, Span at) {
     if (name == "NIL") return;
     const uint32_t symbol = number(MemberKind::symbol, {}, name);
-    all()[symbol].uses.push_back({UseKind::emits, at, speaker_, writing_});
+    all()[symbol].uses.push_back({UseKind::emits, at, {}, speaker_, writing_});
   }
 
   /// A bare name in an expression is a symbol when one is called so, or when it is in capitals as

@@ -119,11 +119,13 @@ TEST_CASE("the command line is stronger than a property, that than the style") {
   const Compiled plain(script), set(script, {{"Tile.Wide", "1 + 0.3"}});
   const VariableValue property = value(plain, "Tile", "Wide", named);
   CHECK(property.giver == Giver::property);
-  CHECK(property.written == "0.7");
+  CHECK(property.property == "0.7");
+  CHECK(!property.command_line);
   CHECK(text(property) == "0.7");
   const VariableValue line = value(set, "Tile", "Wide", named);
   CHECK(line.giver == Giver::command_line);
-  CHECK(line.written == "1 + 0.3");
+  CHECK(line.command_line == "1 + 0.3");
+  CHECK(line.property == "0.7");
   CHECK(text(line) == "1.3");
   CHECK(text(value(plain, "", "Height", named)) == "12");
   CHECK(text(value(plain, "Tile", "Twice", named)) == "1.4");
@@ -135,6 +137,7 @@ TEST_CASE("a property that does not fit is not taken, and says so") {
       value(compiled, "Tile", "Wide", with({{"Tile.Wide", std::string("broad")}}));
   CHECK(wide.giver == Giver::style);
   CHECK(text(wide) == "0.5");
+  CHECK(wide.property == "broad");
   CHECK(wide.problem.find("\"broad\"") != std::string::npos);
 }
 
@@ -158,9 +161,13 @@ TEST_CASE("weights of rules follow the variables") {
 }
 
 TEST_CASE("an abstract variable has no value") {
-  const Compiled compiled("style A { abstract var Wide var Twice = 2 }");
+  const std::string text_of = "style A { abstract var Wide var Two = 2 var Twice = Two * Wide }";
+  const Compiled compiled(text_of), given(text_of, {{"Wide", "3"}});
   CHECK(text(value(compiled, {}, "Wide")) == "unknown");
-  CHECK(text(value(compiled, {}, "Twice")) == "2");
+  CHECK(text(value(compiled, {}, "Two")) == "2");
+  CHECK(text(value(compiled, {}, "Twice")) == "unknown");
+  CHECK(value(compiled, {}, "Twice").dependence.abstract);
+  CHECK(text(value(given, {}, "Twice")) == "6");
 }
 
 TEST_CASE("a value that can not be evaluated says why") {

@@ -124,6 +124,9 @@ TEST_CASE("an entry is in force while an alternative of it is") {
   for (const auto& [alternative, ending] : told.style->ended_elements) {
     const bool taken = alternative->at.text() == "\"c.obj\"";
     CHECK(ending.from.style->name.text == (taken ? "C" : "B"));
+    const bool removed = alternative->at.text() == "\"l.obj\"";
+    using enum syntax::EntryKind;
+    CHECK(ending.how == (taken ? take : removed ? remove : set));
   }
 }
 
