@@ -86,6 +86,9 @@ class Lines {
                       line ? "command line" : "footprint",
                       {},
                       true});
+    if (line && value_->property)
+      lines_.push_back(
+          {"  hides", printable(*value_->property), "property", "footprint", {}, false});
   }
 
   /// Says so when no writing is in force.

@@ -89,7 +89,9 @@ sees the child's. Parents are ordered as in Python (C3). `override` says that a 
 member, `final` that no child may; `abstract NAME` must be given by a child. In a mixin `super` goes on
 with the next style's rule of the symbol:
 
-  style Cornice { Facade { FACADE -> [ subdiv("Y", 1r, 0.3) { NIL | extrude(0.2) { LEDGE } } ] super } })"},
+  style Cornice { Facade { FACADE -> [ subdiv("Y", 1r, 0.3) { NIL | extrude(0.2) { LEDGE } } ] super } }
+
+mansard explain FILE.style says who gives what, mansard explain FILE.style Tile.WindowWidth why.)"},
     Topic{"elements", "Meshes and looks of terminals",
           R"(  Elements  { WINDOW : "near.obj" "far.obj" : 0.7   "other.obj" : 0.3
               DOOR + "door3.obj" : 0.1   remove LEDGE }

@@ -97,7 +97,8 @@ TEST_CASE("what a value depends on") {
 
 TEST_CASE("a draw is the one that the derivation makes") {
   const Compiled compiled(
-      "style A { var Pitch = rand(30, 45) Mass { FOOTPRINT -> report(\"pitch\", Pitch) WALL } }");
+      "style A { var Pitch = rand(30, 45) Mass { FOOTPRINT -> report(\"pitch\", Pitch) "
+      "set(Pitch, 1) WALL } }");
   Footprint footprint;
   footprint.id = "house 7";
   footprint.polygon.points = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};

@@ -130,6 +130,14 @@ TEST_CASE("an entry is in force while an alternative of it is") {
   }
 }
 
+TEST_CASE("taking away is over where a more derived style begins anew") {
+  const Told told(
+      "style A { Elements { DOOR : \"a.obj\" | \"b.obj\" } }\n"
+      "style B : A { Elements { DOOR - \"a.obj\" } }\n"
+      "style C : B { Elements { DOOR : \"c.obj\" } }");
+  CHECK(fates(told.symbol("DOOR").elements) == "C in force, B hidden, A hidden");
+}
+
 TEST_CASE("who speaks of a member, under the names that the style gives them") {
   const Told told(
       "style A {\n"
@@ -137,6 +145,7 @@ TEST_CASE("who speaks of a member, under the names that the style gives them") {
       "  def share(x) = x * Wide\n"
       "  Tile { var Wide = 2  TILE(n) : W > Wide -> subdiv(\"X\", n, Wide) { Infill | PANE[n] } }\n"
       "  Floor { FLOOR[i] -> set(Tile.Wide, share(i)) split(\"X\") { Wide : TILE(Tile.Wide) } }\n"
+      "  Roof { ROOF[Infill] -> t(Infill, Roof.Wide, 0) SLATE }\n"
       "  Grid { GRID(cell) -> comp { Wide : cell | top : inner(PANE) } inner(c) -> c } }");
   CHECK(told.uses(told.variable("Tile", "Wide")) ==
         "TILE reads 'Wide', TILE reads 'Wide', FLOOR sets 'Tile.Wide', FLOOR reads 'Tile.Wide'");
