@@ -79,7 +79,8 @@ def run(mansard, command, output, folder):
     words = shlex.split(command)[1:]
     if words[0] in ("render", "vary"):
         words += ["--size", "48x32"]
-    done = subprocess.run([mansard, *words], cwd=folder, capture_output=True, text=True, timeout=60)
+    done = subprocess.run([mansard, *words], cwd=folder, capture_output=True,
+                          encoding="utf-8", timeout=60)
     said = done.stdout + done.stderr
     if done.returncode != (1 if "error:" in output else 0):
         yield f"{command} exits with {done.returncode}\n{said}"
