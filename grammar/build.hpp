@@ -30,8 +30,13 @@ class TreeBuilder {
   syntax::ExprPtr take_expr();
   /// The last member that was taken turned out to be only the beginning of one.
   void drop_last(bool of_style);
+  void drop_last_warnings() { last_warnings_.clear(); }
 
   syntax::File file;
+  const syntax::Block& open_block() const { return block_; }
+  /// Where a symbol of the last rule stands like the head of a rule; none: 0.
+  uint32_t lost_head() const { return last_warnings_.empty() ? 0 : last_warnings_.back().at.begin; }
+
   uint32_t brief_variable_end = 0;  ///< of the last `var X 1`, which takes no expression
 
  private:
@@ -70,6 +75,7 @@ class TreeBuilder {
   template <class Entry>
   Entry entry_head(const Node*& node);
   void warn_lost_arrow(const syntax::Rule& rule);
+  void tell_last_warnings();
 
   Span span(const Node& node) const { return {&source_, node.begin, node.end}; }
   std::string_view words(const Node& node) const {
@@ -92,6 +98,7 @@ class TreeBuilder {
   syntax::Block block_;
   bool sound_ = true;
   int lost_arrows_ = 0;
+  std::vector<Diagnostic> last_warnings_;  ///< about the last rule, until it is certain
 };
 
 }  // namespace mansard

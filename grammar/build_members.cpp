@@ -1,5 +1,6 @@
 // Rules, variables, entries, blocks and styles.
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "grammar/build.hpp"
@@ -31,6 +32,7 @@ void TreeBuilder::take_import() {
 }
 
 void TreeBuilder::drop_last(bool of_style) {
+  last_warnings_.clear();
   const auto drop = [](auto& members) {
     if (!members.empty()) members.pop_back();
   };
@@ -97,6 +99,7 @@ const Node* TreeBuilder::preamble(Preamble& into) {
 // ---- members of blocks and styles
 
 void TreeBuilder::take_block_item() {
+  tell_last_warnings();
   Preamble pre;
   const Node* node = preamble(pre);
   BlockItem item = block_item(node, std::move(pre));
@@ -249,9 +252,17 @@ void TreeBuilder::warn_lost_arrow(const Rule& rule) {
                    " stands where a rule begins, but is read as part of rule " +
                    in_quotes(rule.name.text);
     warning.notes.push_back({"the rule begins here", rule.name.at});
-    warning.help = "add the '->' that it has lost, or indent it deeper than its rule";
-    diagnostics_.add(std::move(warning));
+    constexpr std::array<std::string_view, 3> words{"override", "final", "super"};
+    const auto meant = nearest(symbol->name.text, words);
+    warning.help = meant ? "did you mean " + in_quotes(*meant) + "?"
+                         : "add the '->' that it has lost, or indent it deeper than its rule";
+    last_warnings_.push_back(std::move(warning));
   }
+}
+
+void TreeBuilder::tell_last_warnings() {
+  for (Diagnostic& warning : last_warnings_) diagnostics_.add(std::move(warning));
+  last_warnings_.clear();
 }
 
 // ---- entries of Elements and Materials
@@ -344,6 +355,7 @@ void TreeBuilder::take_block_head(BlockKind kind) {
 }
 
 void TreeBuilder::end_block(uint32_t end) {
+  tell_last_warnings();
   block_.at.end = end;
   style_.members.emplace_back(std::exchange(block_, {}));
 }

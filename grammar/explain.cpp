@@ -5,83 +5,11 @@
 #include <cstring>
 
 #include "grammar/in_quotes.hpp"
+#include "grammar/slips.hpp"
 
 namespace mansard {
 
 namespace {
-
-// ---- what stands at the place, as the user would cut it into words
-
-constexpr std::array<std::string_view, 18> signs{
-    "-->", "->", "=>", "==", "!=", "<=", ">=", "&&", "||",
-    "::",  "++", "--", "+=", "-=", "*=", "/=", ":=", "**"};
-
-std::string_view found_at(std::string_view text, std::size_t at) {
-  const std::string_view rest = text.substr(std::min(at, text.size()));
-  if (rest.empty()) return rest;
-  std::size_t length = 0;
-  while (length < rest.size() && Reading::is_word(rest[length])) ++length;
-  if (length > 0) return rest.substr(0, length);
-  if (rest[0] == '"') {
-    const std::size_t end = rest.find_first_of("\"\n", 1);
-    return rest.substr(0, end == rest.npos ? rest.size() : rest[end] == '"' ? end + 1 : end);
-  }
-  for (const std::string_view sign : signs) {
-    if (rest.substr(0, sign.size()) == sign) return rest.substr(0, sign.size());
-  }
-  return rest.substr(0, 1);
-}
-
-// ---- slips that people make
-
-struct Slip {
-  std::string_view found;
-  std::string_view want;  ///< only where this was wanted; empty: anywhere
-  std::string_view help;
-};
-
-constexpr std::array slips{
-    Slip{";", "", "no ';' is needed: a rule ends where the next one begins"},
-    Slip{"-->", "", "the arrow of a rule is '->'"},
-    Slip{"=>", "", "the arrow of a rule is '->'"},
-    Slip{"→", "", "the arrow of a rule is '->'"},
-    Slip{"->", "'->'", ""},
-    Slip{"->", "", "'->' belongs to the head of a rule: NAME -> …"},
-    Slip{":=", "", "a variable is written: var NAME = value"},
-    Slip{"==", "'='", "a variable is written: var NAME = value"},
-    Slip{"=", "a name", "a variable is written: var NAME = value"},
-    Slip{"=", "'->'", "two values are compared with '=='"},
-    Slip{"=", "", "two values are compared with '=='; a variable is written: var NAME = value"},
-    Slip{"<", "", "comparisons do not chain: join two with '&&'"},
-    Slip{"<=", "", "comparisons do not chain: join two with '&&'"},
-    Slip{">", "", "comparisons do not chain: join two with '&&'"},
-    Slip{">=", "", "comparisons do not chain: join two with '&&'"},
-    Slip{"==", "", "comparisons do not chain: join two with '&&'"},
-    Slip{"!=", "", "comparisons do not chain: join two with '&&'"},
-    Slip{"&", "", "'and' is written '&&'"},
-    Slip{"and", "", "'and' is written '&&'"},
-    Slip{"or", "", "'or' is written '||'"},
-    Slip{"not", "", "'not' is written '!'"},
-    Slip{"?", "", "a choice is written: if condition then a else b"},
-    Slip{"%", "", "'%' is per cent and stands against a number or a ')'; a remainder is mod(a, b)"},
-    Slip{"^", "", "a power is written pow(a, b)"},
-    Slip{"**", "", "a power is written pow(a, b)"},
-    Slip{"'", "", "strings stand in double quotes"},
-    Slip{"#", "", "a comment begins with //; a colour is a string: \"#a08070\""},
-    Slip{"elif", "", "write: else if"},
-    Slip{"elsif", "", "write: else if"},
-    Slip{"elseif", "", "write: else if"},
-    Slip{"[", "'->'", "an index stands against its symbol: NAME[i]"},
-    Slip{"[", "", "an index stands against its list or symbol: list[i]"},
-    Slip{"r", "", "'r' stands against its number: 1r, (Share)r"},
-    Slip{"}", "'style' or 'import'", "this '}' closes nothing"},
-    Slip{"|", "a symbol or an operation", "a part may not be empty: write NIL to leave nothing"},
-    Slip{"}", "a symbol or an operation", "a part may not be empty: write NIL to leave nothing"},
-    Slip{"]", "a symbol or an operation", "brackets may not be empty: write NIL to leave nothing"},
-    Slip{"attr", "", "a variable is written: var NAME = value"},
-    Slip{"let", "", "a variable is written: var NAME = value"},
-    Slip{"case", "", "a condition stands in the head of a rule: NAME : condition -> …"},
-};
 
 // ---- what was wanted
 
@@ -131,21 +59,54 @@ class Failing {
     const std::string_view word = member_word();
     Diagnostic made = make(word, "block " + in_quotes(word) + " begins inside of another block",
                            "is a '}' missing before it?");
+    point_behind(made);
     note_open(made, trail.innermost());
+    return made;
+  }
+
+  Diagnostic style_in_style(const Trail& trail) const {
+    const std::string_view word = found_at(text_, offset(around_.member));
+    Diagnostic made = make(word, in_quotes(word) + " begins inside of another style",
+                           "is a '}' missing before it?");
+    point_behind(made);
+    note_open(made, trail.innermost());
+    return made;
+  }
+
+  // The `Materialls { WALL : color("red") }` of somebody in a hurry.
+  std::optional<Diagnostic> misspelt_block() const {
+    constexpr std::array<std::string_view, 2> kinds{"Elements", "Materials"};
+    const auto meant = nearest(around_.block.text, kinds);
+    if (around_.level != Level::rules || !meant) return std::nullopt;
+    Diagnostic made = make(around_.block.text,
+                           "block " + in_quotes(around_.block.text) + " is read as one of rules",
+                           "did you mean " + in_quotes(*meant) + "?");
+    return made;
+  }
+
+  Diagnostic homeless_block() const {
+    const std::string_view word = member_word();
+    Diagnostic made =
+        make(word, "block " + in_quotes(word) + " stands outside of any style",
+             "blocks stand in styles: style Name { " + std::string(word) + " { … } }");
+    note_end(made, "style");
     return made;
   }
 
   Diagnostic homeless_rule() const {
     const std::string_view word = member_word();
-    return make(word, "rule " + in_quotes(word) + " stands outside of any block",
-                "rules stand in the blocks of a style: style Name { Block { " + std::string(word) +
-                    " -> … } }");
+    Diagnostic made = make(word, "rule " + in_quotes(word) + " stands outside of any block",
+                           "rules stand in the blocks of a style: style Name { Block { " +
+                               std::string(word) + " -> … } }");
+    note_end(made, around_.level == Level::style ? "block" : "style");
+    return made;
   }
 
   // `vra X = 1`: the grammar takes `vra` for a symbol and stumbles at X.
   std::optional<Diagnostic> misspelt() const {
     const std::string_view word = member_word();
-    if (at_ == around_.member || follows_member_word()) {
+    const bool goes_on = !found_.empty() && Reading::is_word(found_[0]) && follows_member_word();
+    if (at_ == around_.member || at_ == word.data() || goes_on) {
       if (const auto meant = nearest_keyword(word)) {
         return make(word, "there is no " + in_quotes(word) + " here",
                     "did you mean " + in_quotes(*meant) + "?");
@@ -154,13 +115,27 @@ class Failing {
     return std::nullopt;
   }
 
+  // `{ { A } | B }`: a part that begins with a brace is a group.
+  std::optional<Diagnostic> group_without_star() const {
+    if (!wants("'*'") || wants_.size() > 1) return std::nullopt;
+    const Brackets brackets(text_, offset(around_.member), offset(at_));
+    if (brackets.last_group == std::string::npos) return std::nullopt;
+    const std::string where = found_.empty() ? "the end of the file" : in_quotes(found_);
+    Diagnostic made = make(text_.substr(brackets.last_group, 1),
+                           "expected '*' behind the group that begins here, not " + where,
+                           "a '{' that begins a part groups parts that repeat: { … }*; is it one "
+                           "too many?");
+    made.also.push_back(make(found_, {}, {}).at);
+    return made;
+  }
+
   Diagnostic unexpected(std::size_t braces_around, uint32_t brief_variable_end) const {
     const bool ends = found_.empty();
     const std::string where = ends ? " before the end of the file" : ", not " + in_quotes(found_);
     std::string text = "expected " + listed(wants_) + where;
     if (wants_.empty())
       text = ends ? "the file ends too early" : in_quotes(found_) + " can not stand here";
-    std::string help = slip(brief_variable_end);
+    std::string help = explain_slip(stuck(brief_variable_end));
     for (const Wording* wording : place_.wants) {
       if (!wording->say) continue;
       text = wording->say;
@@ -178,11 +153,14 @@ class Failing {
   bool blank(const char* from, const char* to) const {
     return std::all_of(from, to, [](char c) { return std::strchr(" \t\r\n", c) && c; });
   }
+  // Behind its annotations and modifiers.
   std::string_view member_word() const {
-    const std::string_view word = found_at(text_, offset(around_.member));
-    return word == "replace"
-               ? found_at(text_, text_.find_first_not_of(" \t\r\n", offset(word.end())))
-               : word;
+    const std::size_t begin = offset(around_.word ? around_.word : around_.member);
+    std::string_view word = found_at(text_, begin);
+    while (word == "replace" || word == "final" || word == "override") {
+      word = found_at(text_, text_.find_first_not_of(" \t\r\n", offset(word.end())));
+    }
+    return word;
   }
 
   Diagnostic make(const char* begin, const char* end, std::string text, std::string help) const {
@@ -196,6 +174,20 @@ class Failing {
     const std::size_t last = text_.find_last_not_of(" \t\r\n");
     const auto end = static_cast<uint32_t>(last == text_.npos ? 0 : last + 1);
     return {&source_, end, end};
+  }
+  /// What is missing is missed behind what stands before the word, which gets a caret, too.
+  void point_behind(Diagnostic& made) const {
+    if (!around_.behind) return;
+    made.also.push_back(made.at);
+    made.at = {&source_, offset(around_.behind), offset(around_.behind)};
+  }
+  void note_end(Diagnostic& made, const char* of) const {
+    if (!around_.behind || around_.behind == text_.data() || around_.behind[-1] != '}') return;
+    const uint32_t end = offset(around_.behind);
+    made.notes.push_back(
+        {std::string("the ") + of +
+             " ends with this '}': is one '}' too many, or a '{' missing before it?",
+         {&source_, end - 1, end}});
   }
   void note_open(Diagnostic& made, const char* open) const {
     if (!open) return;
@@ -215,41 +207,20 @@ class Failing {
     return *place_.open != '{' && (other_closes || std::find(place_.open, at_, '\n') != at_);
   }
 
-  /// Only space stands between the sign and the place.
-  bool before(std::string_view sign) const {
-    const std::size_t last = text_.substr(0, offset(at_)).find_last_not_of(" \t\r\n");
-    return last != text_.npos && last + 1 >= sign.size() && !found_.empty() && found_[0] >= '0' &&
-           found_[0] <= '9' && text_.substr(last + 1 - sign.size(), sign.size()) == sign;
-  }
-
   bool wants(std::string_view want) const {
     return want.empty() || std::find(wants_.begin(), wants_.end(), want) != wants_.end();
   }
 
-  std::string slip(uint32_t brief_variable_end) const {
-    if (brief_variable_end > 0 && brief_variable_end <= offset(at_) && !found_.empty() &&
-        !Reading::is_word(found_[0]) && std::strchr("+-*/<>=&|([.?!%:", found_[0]) &&
-        blank(text_.data() + brief_variable_end, at_)) {
-      return "an expression after 'var NAME' needs '='; without it only a literal, a name or a "
-             "parenthesis can stand";
-    }
-    if (offset(at_) > 0 && at_[-1] == '%') return "a remainder is mod(a, b); '%' is per cent";
-    if (offset(at_) > 0 && at_[-1] == '-' && found_ == "->") return "the arrow of a rule is '->'";
-    if (wants("a symbol or an operation") && before("[")) {
-      return "an index stands against its symbol: NAME[1]; after a space, '[' saves the shape";
-    }
-    if (found_ == "=" && follows_member_word()) {
-      return "a rule is written: NAME -> …, a variable: var NAME = value";
-    }
-    for (const Slip& slip : slips) {
-      if (slip.found == "→" ? found_.substr(0, 3) == slip.found : slip.found == found_) {
-        if (wants(slip.want)) return std::string(slip.help);
-      }
-    }
-    if (!found_.empty() && static_cast<unsigned char>(found_[0]) >= 0x80) {
-      return "names are of ASCII letters, digits and '_'";
-    }
-    return {};
+  Stuck stuck(uint32_t brief_variable_end) const {
+    return {text_,
+            offset(at_),
+            found_,
+            wants_,
+            offset(around_.member),
+            member_word(),
+            place_.open ? *place_.open : '{',
+            around_.level,
+            brief_variable_end};
   }
 
   bool follows_member_word() const {
@@ -306,9 +277,13 @@ Diagnostic explain(const Source& source, const Trail::Place& place, const Surrou
   const Failing failing(source, place, around);
   if (place.complaint.begin) return failing.particular();
   const bool in_block = around.level != Level::file && around.level != Level::style;
+  if (around.member_is_style && around.level != Level::file) return failing.style_in_style(trail);
   if (around.member_is_block && in_block) return failing.block_in_block(trail);
+  if (around.member_is_block && around.level == Level::file) return failing.homeless_block();
+  if (auto misspelt = failing.misspelt_block()) return *misspelt;
   if (around.member_is_rule && !in_block) return failing.homeless_rule();
   if (auto misspelt = failing.misspelt()) return *misspelt;
+  if (auto group = failing.group_without_star()) return *group;
   return failing.unexpected(trail.braces(), brief_variable_end);
 }
 

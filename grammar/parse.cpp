@@ -64,7 +64,11 @@ syntax::ExprPtr parse_expression(const Source& source, Diagnostics& diagnostics)
   Reading reading(source, diagnostics);
   Input in(source.text().data(), source.text().data() + source.text().size(), "");
   const bool matched = tao::pegtl::parse<peg::only_expr, peg::action, peg::control>(in, reading);
-  if (!matched) reading.report({reading.after_space(source.text().data())});
+  if (!matched) {
+    Surroundings around;
+    around.member = reading.after_space(source.text().data());
+    reading.report(around);
+  }
   reading.finish();
   return matched && !diagnostics.has_errors() ? reading.tree.take_expr() : nullptr;
 }

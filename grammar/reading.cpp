@@ -131,6 +131,14 @@ const char* Reading::after_text(const char* at) {
   return nullptr;
 }
 
+const char* Reading::swallowed_head(const char* member) const {
+  if (tree.lost_head() == 0 || member == end_) return nullptr;
+  const char* const head = begin_ + tree.lost_head();
+  const char* const line = line_begin(member);
+  const bool of_its_own = after_blanks(line) == member && member - line <= head - line_begin(head);
+  return of_its_own ? nullptr : head;
+}
+
 void Reading::take_block_item() {
   tree.take_block_item();
   if (diagnostics_.errors() - errors_before_ >= max_errors) add({});

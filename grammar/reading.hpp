@@ -15,8 +15,12 @@ enum class Level : uint8_t { file, style, rules, elements, materials };
 /// What only the grammar can tell about the place of an error.
 struct Surroundings {
   const char* member = nullptr;  ///< where the member begins that could not be read
+  const char* word = nullptr;    ///< where it goes on behind its annotations
+  const char* behind = nullptr;  ///< the end of what stands before it; null: not known
   bool member_is_rule = false;   ///< it begins like a rule
   bool member_is_block = false;  ///< it begins like a block
+  bool member_is_style = false;  ///< it begins like a style
+  syntax::Name block;            ///< in whose braces it stands
   bool found_is_head = false;    ///< the offending word begins a rule
   Level level = Level::file;
 };
@@ -40,6 +44,10 @@ class Reading {
   /// Of the name at `at`; 0 for a keyword or when there is none.
   static std::size_t name_length(const char* at, const char* end);
   static bool is_word(char c);
+
+  /// The symbol that was read as the end of the rule before `member`, which is no member, though it
+  /// stands where a rule begins; else null.
+  const char* swallowed_head(const char* member) const;
 
   void take_block_item();
   void end_block(const char* end);

@@ -18,6 +18,26 @@ bool begins(Reading& reading, const char* at) {
   return matched;
 }
 
+/// Where the word behind Rule, which may be empty, begins.
+template <class Rule, template <class...> class Control>
+const char* behind(Reading& reading, const char* at) {
+  memory_input<tracking_mode::lazy, eol::lf_crlf, const char*> in(at, reading.end(), "");
+  reading.trail.hush();
+  Control<Rule>::template match<apply_mode::nothing, rewind_mode::required, nothing, Control>(
+      in, reading);
+  reading.trail.speak();
+  return reading.after_space(in.current());
+}
+
+/// The same for its trail: what was wanted, and where.
+template <class Rule, template <class...> class Control>
+void begins_aloud(Reading& reading, const char* at) {
+  memory_input<tracking_mode::lazy, eol::lf_crlf, const char*> in(at, reading.end(), "");
+  reading.trail.restart();
+  Control<Rule>::template match<apply_mode::nothing, rewind_mode::required, nothing, Control>(
+      in, reading);
+}
+
 /// Skips the rest of a member that could not be read. Brackets that were open where reading failed
 /// are closed on the way; the head of a member inside of them means that their ends are missing.
 template <Level level, template <class...> class Control>
@@ -102,24 +122,39 @@ template <Level level>
 template <apply_mode, rewind_mode, template <class...> class, template <class...> class Control,
           class In>
 bool bad<level>::match(In& in, Reading& reading) {
-  const char* const member = reading.after_space(in.current());
+  const char* const start = reading.after_space(in.current());
+  const char* member = start;
+  // `A -> B` and below it `C : W = 3 -> D` are read as `A -> B C`, and then `: …` is no member:
+  // what is wrong is told from C on.
+  if (const char* const head = reading.swallowed_head(start)) {
+    member = head;
+    begins_aloud<rule, Control>(reading, head);
+  }
   const Trail::Place place = reading.trail.furthest();
   const char* const found = place.at ? std::max(place.at, member) : member;
 
-  Surroundings around{member, false, false, false, level};
-  around.member_is_rule = begins<head, Control>(reading, member);
+  Surroundings around;
+  around.member = member;
+  around.level = level;
+  if (in.current() < member) around.behind = in.current();
+  if (level != Level::file && level != Level::style) around.block = reading.tree.open_block().name;
+  around.member_is_style = begins<style_start, Control>(reading, member);
+  around.word = behind<preamble, Control>(reading, member);
+  around.member_is_rule = begins<rule_start, Control>(reading, member);
   around.member_is_block = begins<any_block, Control>(reading, member);
   around.found_is_head = begins<head, Control>(reading, found);
   reading.report(around);
   // `A -> B [` is read as `A -> B`, and then `[` is no member.
-  if (found > member && !Reading::is_word(*member) && *member != '@') {
+  const bool torn = found > start && !Reading::is_word(*start) && *start != '@';
+  if (torn || member < start) {
     reading.tree.drop_last(level == Level::style);
   }
 
   const char* at = reading.end();
   if (!reading.over()) {
     const std::size_t here = reading.trail.braces();
-    const char* const from = place.complaint.resume ? place.complaint.resume : found;
+    const char* const from =
+        place.complaint.resume ? place.complaint.resume : std::max(found, start);
     Skip<level, Control> skip(reading, member);
     at = skip.run(from, place.braces > here ? place.braces - here : 0);
   }
@@ -137,6 +172,7 @@ template <class In>
 bool missing_brace::read(In& in, Reading& reading) {
   if (reading.leaving) return true;
   const char* const at = reading.after_space(in.current());
+  reading.tree.drop_last_warnings();
   reading.report_missing_brace(at);
   in.bump(static_cast<std::size_t>(at - in.current()));
   return true;

@@ -52,7 +52,7 @@ struct guard          : seq<colon, sor<seq<guard_else, maybe<expr>>, expr>> {};
 struct head           : seq<name, maybe<params>, maybe<head_index>, maybe<guard>, at<arrow>> {};
 struct modifier       : sor<K<"final">, K<"override">> {};
 struct member_start   : sor<head, seq<K<"var">, name>, seq<K<"def">, name>, seq<K<"abstract">, sor<name, K<"var">>>, seq<modifier, sor<name, K<"var">, K<"def">>>, seq<T<"@">, word>> {};
-struct block_start    : seq<opt<K<"replace">>, name, T<"{">, member_start> {};
+struct block_start    : seq<opt<K<"replace">>, sor<seq<sor<elements_name, materials_name>, T<"{">>, seq<name, T<"{">, member_start>>> {};
 struct not_head       : not_at<head> {};
 struct not_block      : not_at<block_start> {};
 struct value_here     : not_at<head> {};
@@ -137,8 +137,9 @@ struct file           : seq<opt<utf8::bom>, star<not_at<end>, sor<top, bad_style
 struct only_expr      : seq<expr, expr_end> {};
 
 // ---- where reading goes on after an error
+struct rule_start     : seq<preamble, star<modifier>, head> {};
 struct style_start    : sor<seq<preamble, opt<final_>, style_word, name, sor<colon, T<"{">>>, seq<K<"import">, text>> {};
-struct any_block      : seq<preamble, opt<replace>, sor<seq<sor<elements_name, materials_name>, T<"{">>, block_start>> {};
+struct any_block      : seq<preamble, opt<replace>, block_start> {};
 struct style_item_start : sor<seq<K<"var">, name>, seq<K<"def">, name, T<"(">>, seq<K<"abstract">, sor<name, K<"var">>>, seq<K<"start">, name>, seq<T<"@">, word>> {};
 struct element_start  : sor<seq<name, entry_kind, text>, seq<K<"remove">, name>, seq<T<"@">, word>> {};
 struct material_start : sor<seq<name, entry_kind, name, T<"(">>, seq<K<"remove">, name>, seq<T<"@">, word>> {};

@@ -185,8 +185,39 @@ void Compiler::check_types() {
   }
 }
 
+namespace {
+
+/// `0,5`: digits stand against both sides of the comma before the number.
+bool is_decimal_comma(Span number) {
+  if (!number || number.begin < 2) return false;
+  const std::string_view text = number.source->text();
+  const auto is_digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  return text[number.begin - 1] == ',' && is_digit(number.begin - 2) && is_digit(number.begin);
+}
+
+}  // namespace
+
+/// A value that set() gives is of the kind that the variable has.
+void Compiler::check_setting_type(const Call& call) {
+  if (call.setting == none) return;
+  const auto variable = std::ranges::find(program_.variables, call.setting, &VariableSlot::setting);
+  if (variable == program_.variables.end() || variable->value == none) return;
+  const auto wanted = static_type(variable->value);
+  for (const SizeExpr& arg : call.args) {
+    const auto type = arg.value == none ? std::nullopt : static_type(arg.value);
+    if (!type || !wanted || type == wanted) continue;
+    refuse(
+        program_.spans[arg.value],
+        "'" + variable->name + "' is " + std::string(described(*wanted)) + ", not " +
+            std::string(described(*type)),
+        {},
+        {{std::string(described(*wanted)) + " was written here", program_.spans[variable->value]}});
+  }
+}
+
 void Compiler::check_call_types(const Call& call) {
   const Operation& operation = *call.operation;
+  check_setting_type(call);
   for (std::size_t i = 0; i < call.args.size(); ++i) {
     if (call.args[i].value == none) continue;
     const std::size_t known = std::min<std::size_t>(i, operation.count - 1u);
@@ -195,6 +226,9 @@ void Compiler::check_call_types(const Call& call) {
     refuse_later_word(call, known, call.args[i].value);
     std::optional<Type> wanted;
     switch (operation.parameters[known].type) {
+      case ArgType::sizes:
+        if (*type == Type::list) break;
+        [[fallthrough]];
       case ArgType::number:
       case ArgType::length:
         wanted = Type::number;
@@ -214,6 +248,7 @@ void Compiler::check_call_types(const Call& call) {
     d.text = "'" + std::string(operation.name) + "' expects " + std::string(described(*wanted)) +
              " for '" + std::string(operation.parameter_name(known)) + "', not " +
              std::string(described(*type));
+    if (is_decimal_comma(d.at)) d.help = "a decimal point is '.', not ','";
     add_writer(d, call.args[i].value);
     throw Failure(std::move(d));
   }
@@ -246,12 +281,20 @@ void Compiler::refuse_later_word(const Call& call, std::size_t parameter, ExprId
                                  "\" comes with a later version of Mansard");
 }
 
+/// Of a variable that set() changes, what it is without.
+std::optional<Type> Compiler::declared_type(ExprId id) const {
+  const ExprNode& n = program_.nodes[id];
+  if (n.kind != ExprKind::variable) return static_type(id);
+  const ExprId value = program_.variables[n.first].value;
+  return value == none ? std::nullopt : static_type(value);
+}
+
 /// subdiv with sizes that are all single: as many as parts.
 void Compiler::check_sizes(const Call& call) {
   if (call.operation->rule != PartRule::sizes || call.parts.size() < 2) return;
   std::size_t sizes = 0;
   for (std::size_t i = 1; i < call.args.size(); ++i) {
-    const auto type = static_type(call.args[i].value);
+    const auto type = declared_type(call.args[i].value);
     if (!type) return;
     const ExprNode& n = program_.nodes[call.args[i].value];
     if (*type == Type::list && n.kind != ExprKind::constant) return;

@@ -33,6 +33,12 @@ std::string meant(std::string_view word, std::span<const std::string_view> candi
   return near ? "did you mean '" + std::string(*near) + "'?" : std::string();
 }
 
+void refuse_style(const syntax::Name& name, std::span<const std::string_view> loaded) {
+  const std::string help = meant(name.text, loaded);
+  refuse(name.at, "no style '" + std::string(name.text) + "' is loaded",
+         help.empty() ? "import the file that has it" : help);
+}
+
 Compiler::Compiler(Program& program, Library& library, MeshSource& meshes,
                    const CompileOptions& options, Diagnostics& diagnostics)
     : program_(program),
@@ -300,9 +306,11 @@ void Compiler::compile_production(Production& p, uint16_t style) {
     }
   }
   p.is_else = rule.guard_else;
+  const std::size_t failures = failures_;
   p.body = body(rule.successor, scope);
   if (rule.guard) {
     scope.in_guard = true;
+    scope.body_failed = failures_ > failures;
     scope.fits_call = first_split(p.body);
     p.guard = expression(*rule.guard, scope);
     scope.in_guard = false;
@@ -348,6 +356,7 @@ void Compiler::warn_no_start(const CompiledStyle& style, const syntax::Style& ma
 }
 
 void Compiler::add_failure(Failure& failure, uint16_t style, std::string_view block) {
+  ++failures_;
   Diagnostic& d = failure.diagnostic;
   const std::string of = "style '" + std::string(program_.styles[style].name) + "'";
   d.notes.push_back({block.empty() ? "while checking " + of

@@ -139,8 +139,7 @@ void Compiler::emit_elsewhere(const syntax::Emit& e, Span at, NameScope& scope,
     if (!style) {
       std::vector<std::string_view> names;
       for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
-      refuse(e.style.at, "no style '" + std::string(e.style.text) + "' is loaded",
-             meant(e.style.text, names));
+      refuse_style(e.style, names);
     }
     step.style = *style;
     const auto* target = program_.styles[*style].linked->find_symbol(e.name.text);

@@ -16,6 +16,16 @@ constexpr std::array<std::string_view, 2> later_parts{"upper", "lower"};
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
+/// `{ side FACADE | top : ROOF }`
+void refuse_lost_colon(const syntax::Part& part, std::span<const std::string_view> labels) {
+  if (part.label || part.body.size() < 2) return;
+  const auto* first = std::get_if<syntax::Emit>(&part.body[0].is);
+  if (!first || first->args || first->parts || first->style) return;
+  if (std::ranges::find(labels, first->name.text) == labels.end()) return;
+  refuse(first->name.at, quoted(first->name.text) + " stands in this part as a symbol",
+         "is a ':' missing behind it?");
+}
+
 }  // namespace
 
 uint32_t Compiler::operation_call(const Operation& operation, const syntax::Emit& e, Span at,
@@ -33,12 +43,32 @@ uint32_t Compiler::operation_call(const Operation& operation, const syntax::Emit
   return static_cast<uint32_t>(program_.calls.size() - 1);
 }
 
+/// `height == 3`
+void Compiler::refuse_compared_name(const Operation& operation, const syntax::Arg& arg,
+                                    const NameScope& scope) {
+  const auto* chain = arg.value.value ? std::get_if<syntax::Chain>(&arg.value.value->is) : nullptr;
+  if (!chain || chain->operators[0] != syntax::Infix::equal) return;
+  const auto* name = std::get_if<syntax::Reference>(&chain->operands[0]->is);
+  if (!name || name->names.size() != 1 || name->style) return;
+  const std::string_view word = name->names[0].text;
+  if (std::ranges::find(scope.parameters, word) != scope.parameters.end()) return;
+  if (variable_slot(scope.style, scope.block, word) != none) return;
+  if (variable_slot(scope.style, {}, word) != none) return;
+  for (std::size_t i = 0; i < operation.count; ++i) {
+    if (operation.parameter_name(i) != word) continue;
+    refuse(chain->operator_spans[0],
+           "argument " + quoted(word) + " of " + quoted(operation.name) + " is compared with '=='",
+           "an argument with a name is written with one '='");
+  }
+}
+
 void Compiler::call_arguments(Call& call, const syntax::Emit& e, NameScope& scope) {
   const Operation& operation = *call.operation;
   call.args.resize(operation.variadic ? operation.count - 1u : operation.count);
   std::size_t position = 0;
   if (e.args) {
     for (const syntax::Arg& arg : *e.args) {
+      refuse_compared_name(operation, arg, scope);
       const std::size_t place = argument_place(operation, arg, position);
       if (!arg.name) ++position;
       if (place >= call.args.size()) call.args.resize(place + 1);
@@ -221,12 +251,13 @@ void Compiler::name_parts(Call& call, const syntax::Emit& e) {
   call.part_of.assign(names, none);
   const std::size_t labelled =
       static_cast<std::size_t>(std::ranges::count(call.parts, true, &CallPart::labelled));
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < names; ++i) known.push_back(part_name(operation.parts, i));
   if (labelled != 0 && labelled != call.parts.size()) {
+    for (const syntax::Part& part : e.parts->parts) refuse_lost_colon(part, known);
     refuse(e.parts->at, "named parts and parts by place do not mix",
            "its parts: " + std::string(operation.parts));
   }
-  std::vector<std::string_view> known;
-  for (std::size_t i = 0; i < names; ++i) known.push_back(part_name(operation.parts, i));
   for (uint32_t p = 0; p < call.parts.size(); ++p) {
     std::size_t i = p;
     if (labelled) {
@@ -258,9 +289,12 @@ void Compiler::check_part_count(const Call& call, const syntax::Emit& e) {
   }
   if (operation.rule != PartRule::selectors) return;
   for (const CallPart& part : call.parts) {
-    if (!worded && !part.labelled)
+    if (!worded && !part.labelled) {
+      refuse_lost_colon(e.parts->parts[static_cast<std::size_t>(&part - call.parts.data())],
+                        selector_words);
       refuse(part.at, "say which components this part gets",
              "side : " + std::string(part.at.text()));
+    }
     if (worded && part.labelled) refuse(part.at, "the selector stands in the parentheses already");
   }
 }

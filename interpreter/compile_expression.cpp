@@ -134,8 +134,7 @@ ExprId Compiler::reference(const syntax::Reference& r, Span at, NameScope& scope
     if (!style) {
       std::vector<std::string_view> names;
       for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
-      refuse(r.style.at, "no style '" + std::string(r.style.text) + "' is loaded",
-             meant(r.style.text, names));
+      refuse_style(r.style, names);
     }
     return constant(Value::of_symbol(program_.symbols.intern(r.names.back().text), *style + 1u),
                     at);
@@ -156,6 +155,9 @@ ExprId Compiler::plain_name(const syntax::Name& name, NameScope& scope) {
   }
   if (name.text == "fits") {
     if (!scope.in_guard) refuse(name.at, "'fits' stands only in the condition of a rule");
+    if (scope.fits_call == none && scope.body_failed) {
+      return constant(Value::of(true), name.at);
+    }
     if (scope.fits_call == none) {
       refuse(name.at, "'fits' asks about a split, and this rule has none",
              "use subdiv, repeat or split, or another condition");
@@ -180,6 +182,9 @@ void Compiler::unknown_name(const syntax::Name& name, const NameScope& scope) {
   }
   for (const AttributeRow& a : attributes()) known.push_back(a.name);
   for (const InputRow& i : inputs()) known.push_back(i.name);
+  for (const std::string_view word : {"fits", "else", "true", "false"}) {
+    if (scope.in_guard || word == "true" || word == "false") known.push_back(word);
+  }
   std::string help = meant(name.text, known);
   for (const VariableBinding& v : linked.variables) {
     if (v.name == name.text)

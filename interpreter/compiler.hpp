@@ -22,6 +22,7 @@ struct NameScope {
   bool in_guard = false;
   bool symbols = false;      ///< a bare unknown name in capitals is a symbol
   uint16_t* salt = nullptr;  ///< counts random calls
+  bool body_failed = false;  ///< so `fits` may ask about a split that is not known
 };
 
 class Compiler {
@@ -95,6 +96,8 @@ class Compiler {
                              std::size_t position);
   SizeExpr size_argument(const Operation& operation, std::size_t place, const syntax::Arg& arg,
                          NameScope& scope);
+  void refuse_compared_name(const Operation& operation, const syntax::Arg& arg,
+                            const NameScope& scope);
   void setting_argument(Call& call, const syntax::Arg& arg, NameScope& scope);
   void call_parts(Call& call, const syntax::Emit& emit, NameScope& scope);
   CallPart call_part(const Operation& operation, const syntax::Part& part, NameScope& scope);
@@ -127,6 +130,8 @@ class Compiler {
   std::optional<Type> static_type(ExprId id) const;
   std::optional<Type> static_type_of_node(ExprId id) const;
   void check_call_types(const Call& call);
+  void check_setting_type(const Call& call);
+  std::optional<Type> declared_type(ExprId id) const;
   void add_writer(Diagnostic& d, ExprId id) const;
   void refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const;
   void check_sizes(const Call& call);
@@ -147,6 +152,7 @@ class Compiler {
   std::map<const syntax::MaterialAlternative*, uint32_t> material_numbers_;
   std::map<std::string, uint32_t> setting_keys_;
   std::set<uint32_t> set_somewhere_;
+  std::size_t failures_ = 0;  ///< told or not
   std::vector<uint16_t> pending_;
   mutable std::unordered_map<uint32_t, std::optional<Type>> static_types_;  ///< by variable
   int variable_depth_ = 0;  ///< levels of expressions on the way through variables
@@ -154,6 +160,8 @@ class Compiler {
 
 [[noreturn]] void refuse(Span at, std::string text, std::string help = {},
                          std::vector<Note> notes = {});
+/// No style of this name is among those that are loaded.
+[[noreturn]] void refuse_style(const syntax::Name& name, std::span<const std::string_view> loaded);
 std::string qualified(std::string_view block, std::string_view name);
 /// "did you mean 'x'?" or nothing.
 std::string meant(std::string_view word, std::span<const std::string_view> candidates);

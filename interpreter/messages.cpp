@@ -80,7 +80,13 @@ Diagnostic size_count_error(const Call& call, std::size_t sizes) {
   const std::size_t parts = call.parts.size();
   Diagnostic d;
   d.at = call.args_at;
-  d.also = {call.parts_at};
+  // A list over several lines shows where each of its parts begins.
+  const Source* const source = call.parts_at.source;
+  if (source && source->line_of(call.parts_at.begin) != source->line_of(call.parts_at.end)) {
+    for (const CallPart& part : call.parts) d.also.push_back(part.at);
+  } else {
+    d.also.push_back(call.parts_at);
+  }
   d.text = "'" + std::string(call.operation->name) + "' got " + count_text(sizes, "size") +
            " for " + count_text(parts, "part");
   d.help = sizes < parts ? "add a size, or drop a part" : "add a part, or drop a size";
