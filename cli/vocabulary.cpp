@@ -58,7 +58,7 @@ std::span<const WordRow> annotation_rows() { return annotations; }
 const WordRow* find_annotation(std::string_view name) { return find(annotations, name); }
 
 std::string usage(const Operation& o) {
-  const std::string text = std::string(o.name) + "(" + std::string(o.args) + ")";
+  std::string text = std::string(o.name) + "(" + std::string(o.args) + ")";
   switch (o.rule) {
     case PartRule::without:
       break;

@@ -76,6 +76,7 @@ Json location(Project& project, View& view, Span at) {
 
 Json locations(Project& project, View& view, const std::vector<const Word*>& words) {
   std::vector<Json> all;
+  all.reserve(words.size());
   for (const Word* word : words) all.push_back(location(project, view, word->at));
   return Json::array(all);
 }

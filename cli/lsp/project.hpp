@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/lsp/alone.hpp"
 #include "cli/lsp/documents.hpp"
 #include "cli/lsp/view.hpp"
 #include "cli/lsp/workspace.hpp"
@@ -25,10 +26,13 @@ struct Cursor {
 class Project {
  public:
   explicit Project(std::vector<std::string> style_path)
-      : style_path_(std::move(style_path)), workspace_(documents_, style_path_) {}
+      : style_path_(std::move(style_path)),
+        workspace_(documents_, style_path_),
+        alone_(documents_) {}
 
   Documents& documents() { return documents_; }
   Workspace& workspace() { return workspace_; }
+  ScriptsAlone& alone() { return alone_; }
   MeshSource& meshes() { return *meshes_; }
   /// Meshes and pictures may be others: they are read anew when asked for next.
   void forget_files();
@@ -56,6 +60,7 @@ class Project {
   std::vector<std::string> style_path_;
   Documents documents_;
   Workspace workspace_;
+  ScriptsAlone alone_;
   std::unique_ptr<DiskMeshes> meshes_ = std::make_unique<DiskMeshes>();
   std::map<std::string, std::unique_ptr<View>> views_, sound_;  ///< by identity
   std::vector<std::unique_ptr<View>> retired_;

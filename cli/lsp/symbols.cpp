@@ -113,14 +113,17 @@ Json workspace_symbols(Project& project, const Params& params) {
   const std::string query = params["query"].text().value_or("");
   std::vector<Json> found;
   for (const std::string& script : project.workspace().scripts()) {
-    View& view = project.view(script);
-    if (!view.root()) continue;
-    for (const Word& word : view.words(*view.root())) {
+    const ScriptAlone* const alone = project.alone().find(script, project.encoding);
+    if (!alone) continue;
+    const std::string uri = project.documents().uri(script);
+    for (const Word& word : alone->words) {
       if (!is_found_by_name(word.site) || !matches(word.text, query)) continue;
       if (found.size() == most) return Json::array(found);
+      const Range range = alone->lines.range(word.at.begin, word.at.end);
+      const Json place = Json::object({{"uri", uri}, {"range", json(range)}});
       found.push_back(Json::object({{"name", word.text},
                                     {"kind", kind_of(word.site)},
-                                    {"location", location(project, view, word.at)},
+                                    {"location", place},
                                     {"containerName", container(word)}}));
     }
   }

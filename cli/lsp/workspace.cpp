@@ -1,5 +1,6 @@
 #include "cli/lsp/workspace.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/lsp/tokens.hpp"
@@ -37,11 +38,12 @@ void Workspace::remove_folder(const std::string& path) {
 }
 
 bool Workspace::contains(const std::string& identity) const {
-  if (folders_.empty() || documents_.all().contains(identity)) return true;
-  for (const std::string& folder : folders_) {
-    if (is_below(identity, folder)) return true;
-  }
-  return false;
+  if (documents_.all().contains(identity)) return true;
+  const auto holds = [&](const std::string& folder) {
+    return is_below(identity, documents_.identity(folder));
+  };
+  return folders_.empty() ? std::ranges::none_of(style_path_, holds)
+                          : std::ranges::any_of(folders_, holds);
 }
 
 const std::set<std::string>& Workspace::scripts() {

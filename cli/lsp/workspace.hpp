@@ -29,7 +29,7 @@ class Workspace {
   /// Of the scripts that lead to this one by imports, those that no script imports. Itself when
   /// there are none.
   std::vector<std::string> tops_above(const std::string& identity);
-  /// In an open folder, or open itself; everything is while no folder is open.
+  /// In an open folder, or open itself; while no folder is open, what is not in the style path.
   bool contains(const std::string& identity) const;
 
  private:

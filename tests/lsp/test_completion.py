@@ -117,7 +117,7 @@ class Completion(Case):
         self.assertIn("fits", self.in_tile("TILE : $ -> WALL"))
 
     def test_parameters(self):
-        for line in ("Stack(n) : $ -> WALL", "Stack(n) -> extrude(n - $)", "Stack(n) -> $",
+        for line in ("Stack(n) -> WALL : $n\n        TILE -> WALL", "Stack(n) : $ -> WALL", "Stack(n) -> extrude(n - $)", "Stack(n) -> $",
                      "Stack(a)[n] -> extrude($)"):
             self.assertIn("n", self.in_tile(line), line)
         self.assertNotIn("n", self.in_tile("Stack(n) -> WALL  TILE -> extrude($)"))

@@ -82,6 +82,18 @@ class Navigation(Case):
         return self.places(self.ask("references", name, needle, number,
                                     context={"includeDeclaration": declarations}))
 
+    def test_replace_drops_what_was_inherited(self):
+        text = ("style A { B { var X = 1  TILE -> WALL } C { TILE -> extrude(B.X) } }\n"
+                "style D : A { replace B { TILE -> super } }\n"
+                "style E : D { B { var X = 2 } C { Y -> extrude(B.X) super } }\n")
+        self.write(dropped=text)
+        self.open("dropped.style")
+        self.assertEqual(self.definition("dropped.style", "super"), {("dropped.style", 1, "TILE")})
+        found, = self.ask("definition", "dropped.style", "super")
+        self.assertEqual(found["range"], stretch(text, "TILE", 1))
+        self.assertEqual(self.places(self.ask("declaration", "dropped.style", "X = 2")),
+                         {("dropped.style", 3, "X")})  # overrides nothing that is left
+
     def test_references_across_files(self):
         self.assertEqual(self.references("narrow.style", "TILE"), {
             ("house.style", 14, "TILE"), ("house.style", 19, "TILE"), ("narrow.style", 6, "TILE"),

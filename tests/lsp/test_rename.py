@@ -159,6 +159,13 @@ class Rename(Case):
         self.assertTrue(self.rename("workspace/heir.style", "Narrow", "Slim"))
         self.assertTrue(other.exists())
 
+    def test_the_shipped_library_stays_as_it_is(self):
+        self.client.stop()
+        self.client = client.Client()  # no folder is open
+        self.write(mine='import "listings.style"\nstyle Mine : Building1 { var Fresh = 1 }\n')
+        self.assertIn("not in the workspace", self.refusal("mine.style", "Building1", "Mansion"))
+        self.assertTrue(self.rename("mine.style", "Fresh", "Other"))
+
     def test_build_folders_are_passed_over(self):
         self.write(build__copy=HOUSE, node_modules__copy=HOUSE, sub__heir=NARROW.replace(
             "house.style", "../house.style"))
