@@ -93,7 +93,7 @@ class StoryPage {
     }
     const Writing* writing = story_.in_force();
     if (!writing) return without_writing();
-    const std::string from = "from " + style_name(writing->from);
+    std::string from = "from " + style_name(writing->from);
     if (story_.kind == MemberKind::function) return from;
     if (story_.kind == MemberKind::variable) return value_ ? worth() + ", " + from : from;
     const auto rules = std::ranges::count(story_.writings, Fate::in_force, &Writing::fate);

@@ -107,7 +107,7 @@ std::string title(const Story& story) {
 }
 
 std::string short_title(const Story& story) {
-  const std::string name(story.name);
+  std::string name(story.name);
   if (story.kind == MemberKind::variable) return "var " + name;
   if (story.kind == MemberKind::symbol) return name;
   std::string text = "def " + name + "(";

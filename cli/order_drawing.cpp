@@ -31,6 +31,7 @@ class Lanes {
   std::string to_parents(const std::vector<uint32_t>& parents) {
     const std::vector<uint32_t> before = waiting_;
     std::vector<std::size_t> targets;
+    targets.reserve(parents.size());
     for (const uint32_t parent : parents) targets.push_back(lane_of(parent));
     if (targets.empty() || (targets.size() == 1 && targets[0] == at_)) return {};
     const auto [first, last] = std::ranges::minmax(targets);

@@ -27,7 +27,7 @@ std::string script_text(const Program& program, const Value& value) {
     case Type::string:
       return "\"" + std::string(value.string()) + "\"";
     case Type::symbol: {
-      const auto symbol = std::string(program.symbols[value.symbol]);
+      auto symbol = std::string(program.symbols[value.symbol]);
       if (value.size == 0) return symbol;
       return std::string(program.styles[value.size - 1].name) + "::" + symbol;
     }

@@ -34,6 +34,7 @@ const syntax::Preamble& Writing::preamble() const {
 
 std::vector<const Writing*> from_the_base(const std::vector<Writing>& writings) {
   std::vector<const Writing*> told;
+  told.reserve(writings.size());
   for (const Writing& writing : writings) told.push_back(&writing);
   std::ranges::stable_sort(told, std::greater(), &Writing::rank);
   return told;
