@@ -139,7 +139,7 @@ threads. Exit status: 0 done, 1 something in the input is wrong, 2 wrong usage, 
         "editors", "Scripts in an editor",
         R"(mansard lsp speaks the Language Server Protocol: problems as you type, hover with documentation and
 where a value comes from, definition, declaration (what a member overrides), implementation (what overrides
-it), references, rename across files, completion, signatures, outlines, quick fixes.
+it), references, rename across files, completion, signatures, outlines, formatting, quick fixes.
 
   editors/vscode     an extension for Visual Studio Code
   editors/neovim     a set-up for Neovim's own client
