@@ -36,17 +36,20 @@ Say what is left over:
 
     style Shop : Georgian, Glazed { }       // both give rules to FACADE
 
-Settle it in the child, or mark the winner 'override' or let it call 'super' when it is made to be mixed
-in. 'mansard explain' shows the order.)"},
+So it is with variables, functions, elements and materials of one name. Settle it in the child, or mark the
+winner 'override' or let it call 'super' when it is made to be mixed in.)"},
     CodePage{
-        "W004", "A symbol is overridden in another block than its own.",
+        "W004", "A member is overridden in another block than its own.",
         R"(Rules are overridden by symbol, whatever block they stand in. A reader looks for them in the block
 that first gave them, and 'replace' of that block would not reach them.
 
     style Base    { Tile { TILE -> WALL } }
     style Special : Base { Floor { TILE -> WINDOW } }     // TILE belongs to Tile
 
-Move the rule into the block of the same name.)"},
+Move the rule into the block of the same name. A variable that is given in another block is a new one: it
+overrides nothing at all.
+
+    style Wide    : Base { Floor { var WindowWidth = 2 } } // Tile.WindowWidth stays as it was)"},
     CodePage{
         "W005", "A style has no rule for the symbol with which derivation begins.",
         R"(A derivation begins at FOOTPRINT, or at what the style's 'start' names. Without a rule for it the
@@ -56,6 +59,25 @@ footprint itself is all that is drawn. Often the name is misspelt.
 
 Give the symbol a rule, or say: start NAME)"},
     CodePage{
+        "W006", "A variable or function is never read.",
+        R"(No rule, variable or function of the style, or of one that inherits from it, reads it, so another value
+would change nothing. set() and --set give values, they do not read them. In a child it may also be that a
+rule which read it was overridden.
+
+    Tile { var WindowDepth = 0.1   TILE -> WINDOW }        // and where is the depth?
+
+Use it, or take it away. Nothing is said of styles that are only mixed in elsewhere.)"},
+    CodePage{
+        "W007", "A production is never chosen.",
+        R"(Its condition is never true, its probability is 0, or it is an 'else' after a production that always
+fits.
+
+    FACADE -> WALL
+    FACADE : else -> subdiv("X", 1r, 1r) { PIER | PANEL }  // the first always fits
+
+Put its condition right, or take it away. Several ': else' after each other are alternatives, drawn by their
+probabilities.)"},
+    CodePage{
         "W008", "The mesh of an element is missing.",
         R"(The file was looked for beside the script that names it, in the style path and in the library, and
 under the same name with the endings .obj and .glb. Shapes of the symbol stay plain polygons.
@@ -63,6 +85,15 @@ under the same name with the endings .obj and .glb. Shapes of the symbol stay pl
     Elements { WINDOW : "sash_window.obj" }
 
 Correct the path, or add its folder with --style-path.)"},
+    CodePage{
+        "W009", "A symbol has rules, elements or materials, but no shape ever has that symbol.",
+        R"(No style of the script that can be derived comes to it from its start, through 'super', Other::SYMBOL,
+variables and parameters. Often a name is misspelt, or the rule that emitted it was overridden.
+
+    FACADE -> repeat("X", 2) { TILLE }
+    TILE   -> WINDOW                                       // nothing emits TILE
+
+Emit it, or take it away. Nothing is said of styles that are only mixed in elsewhere.)"},
     CodePage{
         "W010", "No production was a candidate: the shape stays a terminal.",
         R"(Every rule of the symbol has a condition and none of them held for this shape. It is said once a
@@ -106,6 +137,50 @@ has no edge 3, so the number chooses nothing there.
 
 Choose edges by what they are, where you can: "street", "party", "front".)"},
     CodePage{
+        "W015", "A name hides another one.",
+        R"(A parameter hides variables and symbols of its name, a block's variable or function the style's. The rule
+reads the nearer one, which a reader may not see, and an override of the farther one changes nothing there.
+
+    var Width = 2
+    Tile { var Width = 1   TILE -> subdiv("X", 1r, Width, 1r) { WALL | WINDOW | WALL } }
+
+Give one of them another name.)"},
+    CodePage{
+        "W016", "A name is nearly an inherited one.",
+        R"(A child gives a rule, a variable, a function or a block that no parent has, that nothing reaches or reads,
+and whose name is nearly that of one that the parents have. It was probably meant to override that.
+
+    style Wide : House { Tile { var WindwoWidth = 2 } }    // WindowWidth
+
+Correct it. 'override' before a rule or variable makes such a slip an error.)"},
+    CodePage{
+        "W017", "A terminal is nearly the name of a symbol that is known.",
+        R"(It has no rules, elements or materials, is emitted in one place only, and one slip of the keys away there
+is a symbol that has.
+
+    Column -> subdiv("Y", 1r, 1.4, 1r) { WALL | WINDWO | WALL }
+    WINDOW -> detrude(0.1) { GLASS | REVEAL }
+
+Correct it, or give it a material.)"},
+    CodePage{
+        "W018", "Probabilities can not be met.",
+        R"(The probabilities of the productions that fit add up to 0, so that none can be drawn; or they add up to
+more than 1 beside a production that has none and counts as 1.
+
+    FLOOR -> A : 0.7
+    FLOOR -> B : 0.6
+    FLOOR -> C                                             // 1 of 2.3, not the rest
+
+Probabilities are shares: 2, 1 and 1 draw as 0.5, 0.25 and 0.25 do.)"},
+    CodePage{
+        "W019", "A variable's value is not what its annotation allows.",
+        R"(@range, @choice and @color tell tools which values make sense; the value that stands there is none of
+them. A child's variable keeps the annotations of the one that it overrides.
+
+    @range(0.3, 2) var WindowWidth = 3
+
+Change the value, or what the annotation says.)"},
+    CodePage{
         "W020", "The picture of a texture is missing.",
         R"(The file was looked for beside the script that names it, then in each --style-path. The surfaces keep
 their plain colour.
@@ -113,6 +188,14 @@ their plain colour.
     Materials { WALL : texture("brick.jpg", 2, 1) }
 
 Correct the name, or add the folder with --style-path.)"},
+    CodePage{
+        "W021", "A footprint's property is nearly the name of a variable.",
+        R"(A property named Block.Name gives that variable its value for one building; a bare Name only a variable of
+the style. This one fits no variable, so it changes nothing.
+
+    "properties": { "Tile.WindwoWidth": 1.2 }              // Tile.WindowWidth
+
+Correct it in the data or in --attr.)"},
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace mansard {
 
 namespace {
 
-bool is_separator(char c) { return c == ' ' || c == ',' || c == '\t'; }
+bool is_separator(char c) { return c == ' ' || c == ',' || c == ':' || c == '\t'; }
 
 // `// allow W001` or `// allow W001, W004 because …`, anywhere on the line.
 bool allows(std::string_view line, std::string_view code) {

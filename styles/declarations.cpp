@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "styles/annotations.hpp"
 #include "styles/complaint.hpp"
 #include "styles/members.hpp"
 #include "styles/reserved.hpp"
@@ -33,21 +34,39 @@ void check_parameters(Linking& linking, const Style& style, const std::vector<Na
   }
 }
 
-/// Reserved words among all that a style declares.
-struct NameCheck {
+/// Reserved words among all that a style declares, and the annotations before it.
+struct MemberCheck {
   Linking& linking;
   const Style& style;
 
-  void operator()(const syntax::Variable& variable) { check_free(linking, style, variable.name); }
+  void annotations(const syntax::Preamble& pre, Annotated what) {
+    for (Diagnostic& wrong : check_annotations(pre, what)) {
+      wrong.notes.push_back(while_linking(style));
+      linking.diagnostics.add(std::move(wrong));
+    }
+  }
+  void operator()(const syntax::Variable& variable) {
+    annotations(variable.pre, Annotated::variable);
+    check_free(linking, style, variable.name);
+  }
   void operator()(const syntax::Function& function) {
+    annotations(function.pre, Annotated::other);
     check_free(linking, style, function.name);
     check_parameters(linking, style, function.params);
   }
-  void operator()(const syntax::Rule& rule) { check_parameters(linking, style, rule.params); }
-  void operator()(const syntax::AbstractSymbol&) {}
+  void operator()(const syntax::Rule& rule) {
+    annotations(rule.pre, Annotated::rule);
+    check_parameters(linking, style, rule.params);
+  }
+  void operator()(const syntax::AbstractSymbol& symbol) {
+    annotations(symbol.pre, Annotated::other);
+  }
   void operator()(const syntax::Start&) {}
   void operator()(const syntax::Block& block) {
+    annotations(block.pre, Annotated::other);
     check_free(linking, style, block.name);
+    for (const auto& entry : block.elements) annotations(entry.pre, Annotated::other);
+    for (const auto& entry : block.materials) annotations(entry.pre, Annotated::other);
     for (const syntax::BlockItem& item : block.items) std::visit(*this, item);
   }
 };
@@ -86,7 +105,8 @@ void check_one_start(Linking& linking, const Style& style) {
 
 void check_declarations(Linking& linking) {
   for (const Style* style : linking.ancestry.order()) {
-    NameCheck check{linking, *style};
+    MemberCheck check{linking, *style};
+    check.annotations(style->pre, Annotated::other);
     for (const syntax::StyleMember& member : style->members) std::visit(check, member);
     check_one_start(linking, *style);
   }

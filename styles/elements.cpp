@@ -1,6 +1,7 @@
 // Elements and materials: lists that each style, from the base on, sets, adds to or takes from.
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -106,6 +107,11 @@ class Fold {
   using Endings = std::remove_reference_t<decltype(endings_of(
       std::declval<LinkedStyle&>(), static_cast<const Binding*>(nullptr)))>;
   Endings take_endings() { return std::move(endings_); }
+  void warn_of_rivals() {
+    for (const auto& [symbol, rivals] : quarrels_) {
+      warn_of_two(linking_, symbol, "entry", rivals.first, rivals.second);
+    }
+  }
 
  private:
   template <class Entry>
@@ -117,6 +123,7 @@ class Fold {
       case EntryKind::set:
       case EntryKind::add: {
         Binding& binding = at(symbol);
+        if (entry.kind == EntryKind::set) note_rival(binding, entry, from);
         if (entry.kind == EntryKind::set || !present) {
           for (const auto& choice : binding.alternatives) end(choice, entry, from);
           binding = Binding{};
@@ -138,7 +145,21 @@ class Fold {
         if (!present) return complain_of_symbol(entry, from);
         for (const auto& c : bindings_[place->second].alternatives) end(c, entry, from);
         bindings_[place->second].alternatives.clear();
+        quarrels_.erase(symbol);
         break;
+    }
+  }
+
+  /// An entry that takes the place of one whose style its own does not inherit.
+  template <class Entry>
+  void note_rival(const Binding& binding, const Entry& entry, const Origin& from) {
+    quarrels_.erase(entry.symbol.text);
+    for (const auto& choice : binding.alternatives) {
+      if (linking_.ancestry.inherits(*from.style, *choice.from.style)) continue;
+      quarrels_.insert_or_assign(entry.symbol.text,
+                                 std::pair(Rival{from.style, entry.symbol.at},
+                                           Rival{choice.from.style, choice.syntax->at}));
+      return;
     }
   }
 
@@ -208,6 +229,7 @@ class Fold {
   Endings endings_;
   std::unordered_map<std::string_view, std::size_t> places_;
   std::set<const Style*> at_fault_;
+  std::map<std::string_view, std::pair<Rival, Rival>> quarrels_;  ///< winner and loser by symbol
 };
 
 template <class Binding>
@@ -216,6 +238,7 @@ std::vector<Binding> fold(Linking& linking) {
   Fold<Binding> own(linking, order);
   std::vector<Binding> bindings = own.run();
   endings_of(linking.result, static_cast<const Binding*>(nullptr)) = own.take_endings();
+  own.warn_of_rivals();
   for (const Style* style : order) {
     if (style == order.front() || !own.at_fault().contains(style)) continue;
     Fold<Binding>(linking, linking.ancestry.order_of(*style)).run();

@@ -34,6 +34,7 @@ const syntax::File* Library::load(const std::string& path, Diagnostics& diagnost
                                 : "there is no file " + in_quotes(path),
                           {}));
   }
+  main_ = file;
   if (file && !file->styles.empty()) default_ = &file->styles.back();
   return file;
 }

@@ -32,6 +32,8 @@ class Library {
   const syntax::Style* find(std::string_view name) const;
   /// The last style of the script that was loaded last: what `derive` takes without --style.
   const syntax::Style* default_style() const { return default_; }
+  /// The script that was loaded last, without what it imports; null when it could not be read.
+  const syntax::File* main_file() const { return main_; }
   /// Folder of the file that holds `at` (for element meshes and textures named in it).
   static std::string folder_of(const Span& at);
   /// All files read, in order of beginning to read: a file before what it imports.
@@ -58,6 +60,7 @@ class Library {
   std::vector<const syntax::Style*> styles_;
   std::unordered_map<std::string_view, const syntax::Style*> by_name_;
   const syntax::Style* default_ = nullptr;
+  const syntax::File* main_ = nullptr;
 };
 
 }  // namespace mansard

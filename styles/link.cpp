@@ -21,6 +21,8 @@ std::optional<LinkedStyle> link(const Library& library, const syntax::Style& sty
   Linking linking{*ancestry, members, result, diagnostics};
   check_declarations(linking);
   check_overriding(linking);
+  check_conflicts(linking);
+  find_misspelt_blocks(linking);
   link_start(linking);
   link_seed(linking);
   link_symbols(linking);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -81,11 +83,28 @@ struct Linking {
   Diagnostics& diagnostics;
   /// Each suggestion looks at all names; a script of a hundred thousand mistakes gets no more.
   int suggestions_left = 50;
+  /// New blocks of the style itself whose name is a slip for an inherited one.
+  std::set<std::string_view> misspelt_blocks = {};
 };
+
+/// `Tile.WindowWidth`; just the name of what is style-wide.
+std::string full_name(std::string_view block, std::string_view name);
+
+/// One of two styles that give the same, and where.
+struct Rival {
+  const syntax::Style* style;
+  Span at;
+};
+/// W003. `kind` is what the user calls it: "rule", "variable", "function", or "entry" of Elements
+/// and Materials, which can not be marked `override`.
+void warn_of_two(Linking& linking, std::string_view name, std::string_view kind, Rival winner,
+                 Rival loser);
 
 // The steps, each of which fills its part of the result.
 void check_declarations(Linking& linking);
 void check_overriding(Linking& linking);
+void check_conflicts(Linking& linking);
+void find_misspelt_blocks(Linking& linking);
 void link_start(Linking& linking);
 void link_seed(Linking& linking);
 void link_symbols(Linking& linking);

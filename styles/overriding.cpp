@@ -21,11 +21,6 @@ constexpr const char* kind = std::is_same_v<T, Rule>       ? "rule"
                              : std::is_same_v<T, Variable> ? "variable"
                                                            : "function";
 
-/// `Tile.WindowWidth`.
-std::string full_name(std::string_view block, std::string_view name) {
-  return block.empty() ? std::string(name) : std::string(block) + "." + std::string(name);
-}
-
 template <class T>
 Diagnostic overrides_final(const Linking& linking, const Slot<T>& slot, const Given<T>& heir,
                            const Given<T>& final) {
@@ -112,6 +107,10 @@ void check_slots(Linking& linking, const std::vector<Slot<T>>& slots) {
 }
 
 }  // namespace
+
+std::string full_name(std::string_view block, std::string_view name) {
+  return block.empty() ? std::string(name) : std::string(block) + "." + std::string(name);
+}
 
 void check_overriding(Linking& linking) {
   const Members& members = linking.members;

@@ -48,6 +48,7 @@ struct FunctionBinding {
   std::string_view block, name;
   const syntax::Function* syntax = nullptr;
   Origin from;
+  std::vector<Origin> overrides;  ///< what it hides, nearest first
 };
 
 struct ElementChoice {

@@ -102,12 +102,16 @@ class SymbolCheck {
       if (!asks_on && !says_override(generations()[i])) {
         for (std::size_t j = i + 1; j < generations().size(); ++j) {
           if (ancestry_.inherits(style(i), style(j)) || settled(i, j)) continue;
-          warn_of_two(i, j);
+          warn_of_two(linking_, symbol_.name, "rule", rival(i), rival(j));
           return;
         }
       }
       if (!asks_on) return;
     }
+  }
+
+  Rival rival(std::size_t i) const {
+    return {&style(i), generations()[i].productions.front()->head};
   }
 
   /// An heir of both has the word.
@@ -118,22 +122,6 @@ class SymbolCheck {
       }
     }
     return false;
-  }
-
-  void warn_of_two(std::size_t winner, std::size_t loser) {
-    const auto note = [&](std::size_t i) -> Note {
-      return {"given by " + in_quotes(style(i).name.text) + " here",
-              generations()[i].productions.front()->head};
-    };
-    const syntax::Style& heir = ancestry_.meeting(style(winner), style(loser));
-    linking_.diagnostics.add(warning(
-        "W003", heir.name.at,
-        in_quotes(symbol_.name) + " comes from both " + in_quotes(style(winner).name.text) +
-            " and " + in_quotes(style(loser).name.text) + ", and " +
-            in_quotes(style(winner).name.text) + " wins",
-        {note(winner), note(loser), while_linking(heir)},
-        "give " + in_quotes(symbol_.name) + " in " + in_quotes(heir.name.text) +
-            ", or mark the rule of " + in_quotes(style(winner).name.text) + " with override"));
   }
 
   /// W004: the variables of the one block no longer shape the symbol, those of the other do.
@@ -154,10 +142,15 @@ class SymbolCheck {
                     const std::set<std::string_view>& homes) {
     for (std::size_t k = 0; k < heir.productions.size(); ++k) {
       const std::string_view block = heir.origins[k].block->name.text;
-      if (homes.contains(block)) continue;
+      if (homes.contains(block) || is_slip(block, *heir.from.style)) continue;
       warn_of_block(*heir.productions[k], block, *heir.from.style, inherited);
       return;
     }
+  }
+
+  /// The block's own name has been complained of.
+  bool is_slip(std::string_view block, const syntax::Style& style) const {
+    return &style == ancestry_.order().front() && linking_.misspelt_blocks.contains(block);
   }
 
   void warn_of_block(const Rule& rule, std::string_view block, const syntax::Style& style,

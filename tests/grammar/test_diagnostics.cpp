@@ -117,7 +117,8 @@ TEST_CASE("JSON") {
 }
 
 TEST_CASE("repeats and allowed warnings are dropped") {
-  const Source source("a.style", "A // allow W001, W002\nB // because allow W001\nC //allow W003");
+  const Source source("a.style",
+                      "A // allow W001, W002\nB // because allow W001\nC //allow W003: so it is");
   Diagnostics all;
   const auto warn = [&](std::string_view word, std::string_view code) {
     all.add({Severity::warning, code, find(source, word), "text", {}, {}, {}});
