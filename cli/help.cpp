@@ -12,6 +12,7 @@
 #include "interpreter/function.hpp"
 #include "interpreter/operation.hpp"
 #include "interpreter/selectors.hpp"
+#include "styles/annotations.hpp"
 
 namespace mansard {
 namespace {
@@ -26,7 +27,8 @@ void overview() {
   print("\nTopics: ");
   for (const Topic& t : topics()) print(std::string(t.name) + " ");
   print(
-      "operations functions warnings\n\nmansard help COMMAND, an operation, a function or a "
+      "operations functions annotations warnings\n\nmansard help COMMAND, an operation, a function "
+      "or a "
       "warning says more.\n");
 }
 
@@ -75,6 +77,12 @@ void functions_list() {
   }
 }
 
+void annotations_list() {
+  for (const AnnotationRow& a : annotation_rows()) {
+    std::printf("%s\n    %s\n", usage(a).c_str(), std::string(a.summary).c_str());
+  }
+}
+
 void codes_list() {
   for (const CodePage& c : code_pages()) {
     std::printf("%s  %s\n", std::string(c.code).c_str(), std::string(c.title).c_str());
@@ -117,7 +125,7 @@ void all_as_json() {
     json[table].push_back({{"name", name}, {"summary", summary}});
   };
   for (const WordRow& w : word_rows()) put("words", w.name, w.summary);
-  for (const WordRow& w : annotation_rows()) put("annotations", w.name, w.summary);
+  for (const AnnotationRow& a : annotation_rows()) put("annotations", a.name, a.summary);
   for (const std::string_view word : selector_words)
     put("selectors", word, selector_summary(*find_selector(word)));
   for (const AttributeRow& a : attributes()) put("attributes", a.name, a.summary);
@@ -131,6 +139,7 @@ bool page(std::string_view topic) {
   if (topic == "operations") return operations_list(), true;
   if (topic == "functions") return functions_list(), true;
   if (topic == "warnings") return codes_list(), true;
+  if (topic == "annotations") return annotations_list(), true;
   if (const Command* c = find_command(topic)) return command_page(*c), true;
   if (const Operation* o = find_operation(topic)) return operation_page(*o), true;
   if (const Function* f = find_function(topic)) return function_page(*f), true;
@@ -154,7 +163,7 @@ int run_help(const Arguments& arguments) {
   if (arguments.positional().empty()) return overview(), exit_done;
   const std::string& topic = arguments.positional()[0];
   if (page(topic)) return exit_done;
-  std::vector<std::string_view> known{"operations", "functions", "warnings"};
+  std::vector<std::string_view> known{"operations", "functions", "annotations", "warnings"};
   for (const Command& c : commands()) known.push_back(c.name);
   for (const Operation& o : operations()) known.push_back(o.name);
   for (const Function& f : functions()) known.push_back(f.name);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/meshes.hpp"
+#include "interpreter/properties.hpp"
 
 namespace mansard {
 
@@ -128,6 +129,11 @@ FootprintSet footprints(const Session& session, const std::string& what, const A
   FootprintSet set = read_footprints(what, options);
   mark_neighbours(set.footprints);
   choose_footprints(set, select, limit);
+  if (session.compiled()) {
+    for (const Diagnostic& d : misnamed_properties(session.program(), set.footprints)) {
+      session.print(d);
+    }
+  }
   constexpr std::size_t most_notes = 10;
   std::size_t repaired = 0;
   for (const FootprintNote& note : set.notes) {

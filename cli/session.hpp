@@ -37,6 +37,7 @@ class Session {
 
   /// Loads and compiles; false after errors, which are printed.
   bool compile(const std::string& script, const CompileOptions& options);
+  bool compiled() const { return program_ != nullptr; }
   const Program& program() const { return *program_; }
   MeshSource& meshes() { return meshes_; }
   Library& library() { return library_; }

@@ -28,9 +28,10 @@ of the successor's first split would be cut.
   FACADE : fits -> subdiv("Y", 4, 1r) { SHOP | FLOORS }         : 0.3
   FACADE : else -> WALL
 
-A condition without `else` leaves what does not fit as a terminal, with a warning; --strict makes it an
-error. A symbol without rules is a terminal and is drawn; NIL deletes. Parameters are given in
-parentheses, FLOOR[2] in a head tests the index that FLOOR[split.index] sets, FLOOR[i] binds it.
+The same `: else` again, right after it, is an alternative to it. A condition without `else` leaves what
+does not fit as a terminal, with a warning; --strict makes it an error. A symbol without rules is a
+terminal and is drawn; NIL deletes. Parameters are given in parentheses, FLOOR[2] in a head tests the
+index that FLOOR[split.index] sets, FLOOR[i] binds it.
 
 `super` goes on with the rule that this one overrides, Other::SYMBOL with the rules of another style,
 style(expr)::SYMBOL with a style by name.)"},
@@ -70,8 +71,9 @@ offset, setback, chamfer and the gables of roof choose edges by the same words, 
   setback(3, ["street", "left"]) { HOUSE | GARDEN })"},
     Topic{
         "variables", "Variables, and where a value comes from",
-        R"(Strongest first: --set Block.Name=v, set(Block.Name, v) on the shape or an ancestor, a footprint's
-property Block.Name (a bare Name for variables of the style only), the most derived style, ... the base.
+        R"(Strongest first: --set Style::Block.Name=v for what is derived under one style, --set Block.Name=v,
+set(Block.Name, v) on the shape or an ancestor, a footprint's property Block.Name (a bare Name for
+variables of the style only), the most derived style, ... the base.
 
   var Height = attr("height", 9)      reads a property of the footprint, with a default
   @per("shape") var Width = rand(1, 2)   drawn once a shape; without @per once a building
@@ -79,7 +81,7 @@ property Block.Name (a bare Name for variables of the style only), the most deri
 A variable that reads the shape is evaluated at each use. Text such as 12.5 m or 40' reads as a number.
 @seed(7) before a style gives it a seed for where --seed is not given.
 BUILDING_HEIGHT, BUILDING_LEVELS, BUILDING_NAME and BUILDING_USE are read from height, min_height,
-building:levels, name, use and building.)"},
+building:levels, name, use and building. See also: mansard help annotations.)"},
     Topic{"inheritance", "Styles that inherit",
           R"(  style Terrace : House, Sills { Tile { var WindowWidth = 1.2 } }
 

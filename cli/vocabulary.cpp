@@ -33,16 +33,6 @@ constexpr std::array words{
     WordRow{"NIL", "The symbol that deletes the shape."},
     WordRow{"FOOTPRINT", "The symbol with which derivation begins, unless the style says start NAME."},
 };
-constexpr std::array annotations{
-    WordRow{"range", "@range(min, max, step): between which values a variable makes sense. For tools."},
-    WordRow{"choice", "@choice(\"a\", \"b\"): the values a variable can have. For tools."},
-    WordRow{"unit", "@unit(\"m\"): the unit of a variable. For tools."},
-    WordRow{"label", "@label(\"text\"): the name that tools show for a variable."},
-    WordRow{"group", "@group(\"text\"): the heading under which tools show a variable."},
-    WordRow{"color", "@color: the variable is a colour. For tools."},
-    WordRow{"hidden", "@hidden: tools do not show the variable."},
-    WordRow{"per", "@per(\"shape\"): a variable's random draws are made anew for each shape; @per(\"SYMBOL\") for the nearest shape of that symbol above; else once a building."},
-};
 // clang-format on
 
 const WordRow* find(std::span<const WordRow> rows, std::string_view name) {
@@ -54,8 +44,6 @@ const WordRow* find(std::span<const WordRow> rows, std::string_view name) {
 
 std::span<const WordRow> word_rows() { return words; }
 const WordRow* find_word(std::string_view name) { return find(words, name); }
-std::span<const WordRow> annotation_rows() { return annotations; }
-const WordRow* find_annotation(std::string_view name) { return find(annotations, name); }
 
 std::string usage(const Operation& o) {
   std::string text = std::string(o.name) + "(" + std::string(o.args) + ")";

@@ -17,9 +17,6 @@ struct WordRow {
 /// Keywords, and words that mean something in their place only (`start`, `per`, `Elements`).
 std::span<const WordRow> word_rows();
 const WordRow* find_word(std::string_view name);
-/// Without the `@`.
-std::span<const WordRow> annotation_rows();
-const WordRow* find_annotation(std::string_view name);
 
 /// "detrude(depth) { inner | reveal }"
 std::string usage(const Operation& operation);

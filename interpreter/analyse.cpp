@@ -12,51 +12,6 @@ void Compiler::mark_settable() {
   for (VariableSlot& v : program_.variables) v.settable = set_somewhere_.contains(v.setting);
 }
 
-/// A variable reads the shape if its expression does, directly or through others. The walk also
-/// finds variables that read themselves.
-void Compiler::find_shape_readers() {
-  std::vector<uint8_t> state(program_.variables.size(), 0);  // 0 new, 1 being read, 2 done
-  for (uint32_t i = 0; i < program_.variables.size(); ++i) {
-    variable_depth_ = 0;
-    attempt(program_.main_style, {}, [&] { variable_reads_shape(i, state); });
-  }
-}
-
-bool Compiler::variable_reads_shape(uint32_t slot, std::vector<uint8_t>& state) {
-  VariableSlot& v = program_.variables[slot];
-  if (state[slot] == 2) return v.reads_shape;
-  const Span at = v.binding ? v.binding->syntax->at : Span{};
-  if (state[slot] == 1) {
-    state[slot] = 2;
-    refuse(at, "variable '" + v.name + "' is defined by itself");
-  }
-  state[slot] = 1;
-  bool reads = v.settable || v.per != VariableSlot::Per::building;
-  const int levels = v.value == none ? 0 : program_.depths[v.value] + 1;
-  constexpr int deepest = 3000;
-  if (variable_depth_ + levels > deepest) {
-    state[slot] = 2;
-    refuse(at, "variables that read each other more than 3000 deep");
-  }
-  variable_depth_ += levels;
-  if (v.value != none && reads_shape(v.value, state)) reads = true;
-  variable_depth_ -= levels;
-  state[slot] = 2;
-  v.reads_shape = reads;
-  return reads;
-}
-
-bool Compiler::reads_shape(ExprId id, std::vector<uint8_t>& state) {
-  const ExprNode& n = program_.nodes[id];
-  bool reads =
-      n.kind == ExprKind::attribute || n.kind == ExprKind::fits || n.kind == ExprKind::definition;
-  if (n.kind == ExprKind::variable) reads = variable_reads_shape(n.first, state);
-  for (uint32_t i = 0; i < n.count; ++i) {
-    if (reads_shape(program_.children[n.children + i], state)) reads = true;
-  }
-  return reads;
-}
-
 /// Nodes that are not always evaluated: below a branch or behind && and ||.
 std::vector<bool> Compiler::conditional_nodes() const {
   std::vector<bool> conditional(program_.nodes.size(), false);
@@ -81,13 +36,14 @@ void Compiler::fold_constants() {
   for (ExprId id = 0; id < program_.nodes.size(); ++id) {
     const ExprNode n = program_.nodes[id];
     const bool random = n.kind == ExprKind::call && functions()[n.aux].random;
-    if (n.kind < ExprKind::list || n.kind == ExprKind::definition || random) continue;
+    if (n.kind < ExprKind::list || n.kind == ExprKind::definition) continue;
     const bool constant = std::all_of(
         program_.children.begin() + n.children, program_.children.begin() + n.children + n.count,
         [&](ExprId child) { return program_.nodes[child].kind == ExprKind::constant; });
     if (!constant) continue;
     try {
       Value value = machine.evaluate(id, Env{});
+      if (random) continue;  // only tried: its arguments are right
       if (value.type == Type::string)
         value.text = program_.texts.emplace_back(value.string()).data();
       if (value.type == Type::list) {
@@ -169,7 +125,7 @@ void Compiler::check_types() {
     const ExprId a = program_.children[n.children], b = program_.children[n.children + 1];
     const auto left = static_type(a), right = static_type(b);
     if (!left || !right) continue;
-    attempt(program_.main_style, {}, [&] {
+    attempt_anywhere([&] {
       auto wrong = operand_error(program_, n, *left, *right, a, b);
       if (!wrong) return;
       for (const ExprId side : {a, b}) add_writer(*wrong, side);
@@ -177,7 +133,7 @@ void Compiler::check_types() {
     });
   }
   for (const Call& call : program_.calls) {
-    attempt(program_.main_style, {}, [&] {
+    attempt_anywhere([&] {
       check_call_types(call);
       check_sizes(call);
       check_picture(call);

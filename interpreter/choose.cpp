@@ -16,19 +16,24 @@ void Machine::bind_index(const Production& chosen, const RuleSet& rules, const S
 }
 
 /// All productions whose condition holds are candidates, indexed ones before the others; `else`
-/// only where none before it was. One is drawn by the normalised probabilities.
+/// only where none before it was, unless those before it are the same `else`. One is drawn by the
+/// normalised probabilities.
 const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env& env) {
   const Production* const all = program.productions.data() + rules.first;
   if (rules.always) return all;
   std::array<std::pair<const Production*, double>, most_productions> candidates;
   const Env outer = env;
+  without_chance_ = 0;
   for (const bool indexed : {true, false}) {
     if (indexed && !rules.tests_index) continue;
     std::size_t found = 0;
     double total = 0;
+    bool closed = false;  // to the `else` at hand and those that join it
     for (uint32_t i = 0; i < rules.count; ++i) {
       const Production& p = all[i];
-      if ((p.index_test != none) != indexed || (p.is_else && found > 0)) continue;
+      if ((p.index_test != none) != indexed) continue;
+      if (p.is_else && !p.joins_else) closed = found > 0;
+      if (p.is_else && closed) continue;
       Env inner = outer;
       inner.draws = mix(outer.draws, hash_of("guard") + i);
       production = &p;
@@ -40,7 +45,10 @@ const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env&
       candidates[found++] = {&p, weight};
       total += weight;
     }
-    if (found == 0 || total <= 0) continue;
+    if (total <= 0) {
+      without_chance_ += found;
+      continue;
+    }
     if (found == 1) return candidates[0].first;
     double draw = unit_interval(mix(outer.draws, hash_of("production"))) * total;
     for (std::size_t i = 0; i + 1 < found; ++i) {
@@ -52,19 +60,31 @@ const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env&
   return nullptr;
 }
 
-void Machine::no_candidate(const RuleSet& rules, const Shape& shape) {
-  ++building->unmatched;
-  const Production& first = program.productions[rules.first];
-  const auto name = std::string(program.symbols[shape.symbol]);
-  std::string text =
-      "no production of '" + name + "' fits a shape of " + size_text(shape.scope.size);
-  Diagnostic d{
-      Severity::error, "W010", first.syntax->head, text, {}, {}, "add a production with ': else'"};
+Diagnostic Machine::why_no_candidate(const RuleSet& rules, const Shape& shape) const {
+  Diagnostic d;
+  d.at = program.productions[rules.first].syntax->head;
+  const std::string name = "'" + std::string(program.symbols[shape.symbol]) + "'";
+  if (without_chance_ > 0) {
+    d.code = "W018";
+    d.text = "the probabilities of the productions of " + name + " that fit a shape of " +
+             size_text(shape.scope.size) + " add up to 0";
+    d.help = "a probability of 0 is never drawn: give one of them more";
+    return d;
+  }
+  d.code = "W010";
+  d.text = "no production of " + name + " fits a shape of " + size_text(shape.scope.size);
+  d.help = "add a production with ': else'";
   for (uint32_t i = 0; i < rules.count; ++i) {
     const Production& p = program.productions[rules.first + i];
     if (p.syntax->guard)
       d.notes.push_back({"this condition was tried and is false", p.syntax->guard->at});
   }
+  return d;
+}
+
+void Machine::no_candidate(const RuleSet& rules, const Shape& shape) {
+  ++building->unmatched;
+  Diagnostic d = why_no_candidate(rules, shape);
   if (options.strict) {
     d.code = {};
     production = nullptr;  // none was taken

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "interpreter/compiler.hpp"
+#include "interpreter/lint.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/random.hpp"
 #include "interpreter/selectors.hpp"
@@ -38,6 +39,20 @@ void refuse_style(const syntax::Name& name, std::span<const std::string_view> lo
   refuse(name.at, "no style '" + std::string(name.text) + "' is loaded",
          help.empty() ? "import the file that has it" : help);
 }
+
+namespace {
+
+/// "A, B, C", no more than twenty of them.
+std::string listed_names(std::span<const std::string_view> names) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) {
+    text += (i == 0 ? "" : ", ") + std::string(names[i]);
+  }
+  return names.size() > most ? text + ", ..." : text;
+}
+
+}  // namespace
 
 Compiler::Compiler(Program& program, Library& library, MeshSource& meshes,
                    const CompileOptions& options, Diagnostics& diagnostics)
@@ -81,7 +96,12 @@ bool Compiler::run() {
   if (diagnostics_.errors() > errors) return false;  // variables in a ring have no type
   fold_constants();
   check_types();
-  return !diagnostics_.has_errors();
+  check_constants();
+  if (diagnostics_.has_errors()) return false;
+  if (options_.all_styles && library_.main_file()) {
+    lint(program_, *library_.main_file(), diagnostics_);
+  }
+  return true;
 }
 
 void Compiler::compile_pending() {
@@ -100,13 +120,15 @@ const syntax::Style* Compiler::main_style() {
     Diagnostic d;
     d.text = "no style '" + options_.style + "' in this file";
     d.help = meant(options_.style, names);
+    if (d.help.empty() && !names.empty()) d.help = "there are " + listed_names(names);
     diagnostics_.add(std::move(d));
     return nullptr;
   }
   if (library_.default_style()) return library_.default_style();
   if (!diagnostics_.has_errors()) {
     Diagnostic d;
-    d.text = "there is no style in this file";
+    const syntax::File* const file = library_.main_file();
+    d.text = "there is no style in " + (file ? "'" + file->source->name() + "'" : "this file");
     d.help = "begin with: style Name { ... }";
     diagnostics_.add(std::move(d));
   }
@@ -118,7 +140,11 @@ std::optional<uint16_t> Compiler::style_number(std::string_view name, Reach reac
     return it->second;
   const syntax::Style* const syntax = library_.find(name);
   if (!syntax) return std::nullopt;
-  auto linked = link(library_, *syntax, diagnostics_);
+  Diagnostics found;
+  auto linked = link(library_, *syntax, found);
+  for (const Diagnostic& d : found.all()) {
+    if (d.severity == Severity::error || is_checked(d.at)) diagnostics_.add(d);
+  }
   if (!linked) return std::nullopt;
   const bool incomplete = !linked->missing.empty() && !options_.all_styles;
   if (incomplete && reach == Reach::any) return std::nullopt;
@@ -139,6 +165,12 @@ std::optional<uint16_t> Compiler::style_number(std::string_view name, Reach reac
   return number;
 }
 
+/// Warnings of a check speak of the script that is checked, not of what it imports.
+bool Compiler::is_checked(Span at) const {
+  const syntax::File* const file = library_.main_file();
+  return !options_.all_styles || !file || !at || at.source == file->source;
+}
+
 /// Every style that can be derived; one that waits for a child to complete it can not.
 void Compiler::reach_all() {
   for (const syntax::Style* style : library_.styles()) {
@@ -149,6 +181,7 @@ void Compiler::reach_all() {
 void Compiler::declare_rules(uint16_t number) {
   CompiledStyle& style = program_.styles[number];
   for (const SymbolRules& symbol : style.linked->symbols) {
+    check_rule_name(number, symbol);
     const uint32_t id = program_.symbols.intern(symbol.name);
     if (style.rules.size() <= id) style.rules.resize(id + 1, none);
     uint32_t next = none;
@@ -189,9 +222,12 @@ void Compiler::declare_variables(uint16_t number) {
   for (const FunctionBinding& binding : linked.functions) {
     function_slots_[{number, qualified(binding.block, binding.name)}] =
         static_cast<uint32_t>(program_.functions.size());
+    check_function_name(number, binding);
     FunctionSlot slot;
     slot.parameters = static_cast<uint8_t>(binding.syntax->params.size());
-    program_.functions.push_back(slot);
+    slot.name = qualified(binding.block, binding.name);
+    slot.binding = &binding;
+    program_.functions.push_back(std::move(slot));
   }
 }
 
@@ -249,93 +285,10 @@ void Compiler::per_of(const syntax::Preamble& pre, VariableSlot& slot) {
     const auto* text = a.args.size() == 1 && a.args[0].value.value
                            ? std::get_if<syntax::Text>(&a.args[0].value.value->is)
                            : nullptr;
-    if (!text) refuse(a.at, "@per takes \"shape\", \"building\" or the name of a symbol");
-    if (text->value == "building") continue;
+    if (!text || text->value == "building") continue;  // linking has complained
     slot.per = text->value == "shape" ? VariableSlot::Per::shape : VariableSlot::Per::symbol;
     if (slot.per == VariableSlot::Per::symbol)
       slot.per_symbol = program_.symbols.intern(text->value);
-  }
-}
-
-void Compiler::compile_rules(uint16_t number) {
-  // Indices, not references: compiling a rule may reach another style and grow the tables.
-  std::vector<uint32_t> sets;
-  for (const uint32_t top : program_.styles[number].rules) {
-    for (uint32_t s = top; s != none; s = program_.rule_sets[s].super) sets.push_back(s);
-  }
-  for (const uint32_t s : sets) {
-    const RuleSet set = program_.rule_sets[s];
-    bool tests = false;
-    for (uint32_t i = 0; i < set.count; ++i) {
-      Production production = program_.productions[set.first + i];
-      const std::string_view block = production.from.block ? production.from.block->name.text : "";
-      attempt(number, block, [&] {
-        if (i == most_productions) {
-          refuse(production.syntax->head,
-                 "a symbol has " + std::to_string(most_productions) + " productions at most");
-        }
-        compile_production(production, number);
-      });
-      tests = tests || production.index_test != none;
-      program_.productions[set.first + i] = production;
-    }
-    const Production& only = program_.productions[set.first];
-    program_.rule_sets[s].tests_index = tests;
-    program_.rule_sets[s].always = set.count == 1 && only.guard == none && !tests;
-  }
-}
-
-void Compiler::compile_production(Production& p, uint16_t style) {
-  const syntax::Rule& rule = *p.syntax;
-  for (const syntax::Annotation& a : rule.pre.annotations) {
-    if (a.name.text == "stage") refuse(a.at, "@stage comes with a later version of Mansard");
-  }
-  uint16_t salt = 1;
-  NameScope scope;
-  scope.style = style;
-  scope.block = p.from.block ? p.from.block->name.text : std::string_view{};
-  scope.salt = &salt;
-  for (const syntax::Name& name : rule.params) scope.parameters.push_back(name.text);
-  if (rule.index) {
-    const auto* name = std::get_if<syntax::Reference>(&rule.index->is);
-    if (name && name->names.size() == 1 && !name->style) {
-      p.index_parameter = static_cast<uint8_t>(scope.parameters.size());
-      scope.parameters.push_back(name->names[0].text);
-    } else {
-      p.index_test = expression(*rule.index, scope);
-    }
-  }
-  p.is_else = rule.guard_else;
-  const std::size_t failures = failures_;
-  p.body = body(rule.successor, scope);
-  if (rule.guard) {
-    scope.in_guard = true;
-    scope.body_failed = failures_ > failures;
-    scope.fits_call = first_split(p.body);
-    p.guard = expression(*rule.guard, scope);
-    scope.in_guard = false;
-  }
-  if (rule.probability) p.probability = expression(*rule.probability, scope);
-}
-
-void Compiler::warn_unguarded(uint16_t number) {
-  const CompiledStyle& style = program_.styles[number];
-  for (const uint32_t top : style.rules) {
-    if (top == none) continue;
-    const RuleSet& set = program_.rule_sets[top];
-    const auto* first = &program_.productions[set.first];
-    const bool open = std::all_of(first, first + set.count, [](const Production& p) {
-      return p.guard != none && !(p.is_else && !p.syntax->guard);
-    });
-    if (!open) continue;
-    Diagnostic d;
-    d.severity = Severity::warning;
-    d.code = "W002";
-    d.at = first[set.count - 1].syntax->head;
-    d.text = "'" + std::string(first->syntax->name.text) +
-             "' has only productions with conditions: where none holds the shape stays as it is";
-    d.help = "add a production with ': else'";
-    diagnostics_.add(std::move(d));
   }
 }
 
@@ -355,18 +308,26 @@ void Compiler::warn_no_start(const CompiledStyle& style, const syntax::Style& ma
   diagnostics_.add(std::move(d));
 }
 
-void Compiler::add_failure(Failure& failure, uint16_t style, std::string_view block) {
+/// The style whose text holds the place, else the one that is compiled.
+std::string_view Compiler::style_at(Span at) const {
+  for (const syntax::Style* style : library_.styles()) {
+    const bool holds =
+        at.source == style->at.source && style->at.begin <= at.begin && at.begin < style->at.end;
+    if (at && holds) return style->name.text;
+  }
+  return program_.styles[program_.main_style].name;
+}
+
+void Compiler::add_failure(Failure& failure, std::optional<uint16_t> style,
+                           std::string_view block) {
   ++failures_;
   Diagnostic& d = failure.diagnostic;
-  const std::string of = "style '" + std::string(program_.styles[style].name) + "'";
+  const std::string of =
+      "style '" + std::string(style ? program_.styles[*style].name : style_at(d.at)) + "'";
   d.notes.push_back({block.empty() ? "while checking " + of
                                    : "while checking block '" + std::string(block) + "' of " + of,
                      {}});
-  // The same words of a parent are wrong in every child: once is enough.
-  for (const Diagnostic& known : diagnostics_.all()) {
-    if (known.at == d.at && known.text == d.text) return;
-  }
-  diagnostics_.add(std::move(d));
+  diagnostics_.add(std::move(d));  // which drops what a parent's words did wrong before
 }
 
 }  // namespace mansard

@@ -55,6 +55,12 @@ void Compiler::emit(const syntax::Emit& e, Span at, NameScope& scope, std::vecto
   if (e.style || e.style_of) return emit_elsewhere(e, at, scope, steps);
   if (const Operation* operation = find_operation(e.name.text)) {
     if (!e.args && !e.parts) {
+      if (std::ranges::find(scope.parameters, e.name.text) != scope.parameters.end()) {
+        refuse(e.name.at,
+               "parameter '" + std::string(e.name.text) +
+                   "' bears the name of an operation, so it can not stand as a symbol",
+               "give it another name");
+      }
       refuse(e.name.at,
              "'" + std::string(e.name.text) + "' is an operation and needs its arguments",
              "write " + std::string(e.name.text) + "(" + std::string(operation->args) + ")");
@@ -115,6 +121,12 @@ void Compiler::emit_symbol(const syntax::Emit& e, Span at, NameScope& scope,
   } else {
     const std::size_t given = e.args ? e.args->size() : 0;
     const std::size_t expected = rules ? rules->generations[0].productions[0]->params.size() : 0;
+    if (is_parameter) {
+      refuse(e.args_at,
+             "parameter '" + std::string(e.name.text) +
+                 "' stands as a symbol here, and takes no arguments",
+             "give them where the symbol is handed over, in a rule of its own");
+    }
     if (!rules && e.args) not_an_operation(e, scope.style);
     if (rules && given != expected) {
       refuse(e.args ? e.args_at : e.name.at,

@@ -4,7 +4,38 @@
 namespace mansard {
 
 void Compiler::apply_settings() {
-  for (const auto& [name, value] : options_.settings) apply_setting(name, value);
+  // One that names a style is stronger than one that speaks to all.
+  for (const bool of_a_style : {false, true}) {
+    for (const auto& [name, value] : options_.settings) {
+      if ((name.find("::") != std::string::npos) == of_a_style) apply_setting(name, value);
+    }
+  }
+}
+
+/// Why --set found nothing to set.
+Diagnostic Compiler::unknown_setting(const std::string& full, std::string_view style,
+                                     std::string_view name) const {
+  Diagnostic d;
+  if (!style.empty() && !program_.style_numbers.contains(style)) {
+    std::vector<std::string_view> styles;
+    for (const syntax::Style* s : library_.styles()) styles.push_back(s->name.text);
+    const bool loaded = library_.find(style) != nullptr;
+    d.text = "--set " + full + ": " + (loaded ? "style '" : "no style '") + std::string(style) +
+             (loaded ? "' has no part in this derivation" : "' is loaded");
+    d.help = loaded ? "name the style that is derived, or none: --set " + std::string(name)
+                    : meant(style, styles);
+    return d;
+  }
+  d.text = "--set " + full + ": no variable of that name";
+  std::vector<std::string_view> names;
+  for (const VariableSlot& variable : program_.variables) {
+    names.push_back(variable.name);
+    if (variable.binding->name != name || variable.binding->block.empty()) continue;
+    d.help = "it belongs to a block: --set " + variable.name;
+    return d;
+  }
+  d.help = meant(name, names);
+  return d;
 }
 
 /// --set Block.Name=v or Style::Block.Name=v; a bare word is a string.
@@ -15,18 +46,12 @@ void Compiler::apply_setting(const std::string& full, const std::string& value) 
     name = full.substr(colons + 2);
   }
   std::vector<uint32_t> slots;
-  std::vector<std::string_view> names;
-  for (uint32_t i = 0; i < program_.variables.size(); ++i)
-    names.push_back(program_.variables[i].name);
   for (const auto& [key, slot] : variable_slots_) {
     if (key.second == name && (style.empty() || program_.styles[key.first].name == style))
       slots.push_back(slot);
   }
   if (slots.empty()) {
-    Diagnostic d;
-    d.text = "--set " + full + ": no variable of that name";
-    d.help = meant(name, names);
-    return diagnostics_.add(std::move(d));
+    return diagnostics_.add(unknown_setting(full, style, name));
   }
   const Source& source = library_.sources().add("--set " + full, value);
   Diagnostics quiet;

@@ -13,6 +13,8 @@
 
 namespace mansard {
 
+class VariableGraph;
+
 /// What names mean where an expression stands.
 struct NameScope {
   uint16_t style = 0;
@@ -45,6 +47,9 @@ class Compiler {
   void compile_style(uint16_t number);
   void declare_rules(uint16_t style);
   void declare_variables(uint16_t style);
+  void check_rule_name(uint16_t style, const SymbolRules& symbol);
+  void check_function_name(uint16_t style, const FunctionBinding& binding);
+  bool is_checked(Span at) const;
   void compile_variables(uint16_t style);
   void compile_functions(uint16_t style);
   void compile_rules(uint16_t style);
@@ -52,6 +57,8 @@ class Compiler {
   void per_of(const syntax::Preamble& pre, VariableSlot& slot);
   void apply_settings();
   void apply_setting(const std::string& name, const std::string& value);
+  Diagnostic unknown_setting(const std::string& full, std::string_view style,
+                             std::string_view name) const;
   void warn_unguarded(uint16_t style);
   void warn_no_start(const CompiledStyle& style, const syntax::Style& main);
 
@@ -119,11 +126,20 @@ class Compiler {
   uint32_t material_number(const MaterialChoice& choice, std::string_view symbol);
   const Value& literal(const syntax::Arg& arg);
 
+  // variable_order.cpp
+  void find_shape_readers();
+  void refuse_ring(const VariableGraph& graph, uint32_t slot);
+
+  // check_constants.cpp
+  void check_constants();
+  void check_axis(const Call& call);
+  void check_components(const Call& call, const std::vector<CallPart>& parts);
+  void check_symbols_of_draws(const CompiledStyle& style);
+  void check_style_named(ExprId id);
+  std::optional<double> constant_number(ExprId id) const;
+
   // analyse.cpp
   void mark_settable();
-  void find_shape_readers();
-  bool reads_shape(ExprId id, std::vector<uint8_t>& state);
-  bool variable_reads_shape(uint32_t slot, std::vector<uint8_t>& state);
   std::vector<bool> conditional_nodes() const;
   void fold_constants();
   void check_types();
@@ -140,7 +156,11 @@ class Compiler {
   /// Runs f; a Failure becomes a diagnostic with a note of where we are.
   template <class F>
   void attempt(uint16_t style, std::string_view block, F f);
-  void add_failure(Failure& failure, uint16_t style, std::string_view block);
+  /// The same where no style is at hand: the note names the one that the error stands in.
+  template <class F>
+  void attempt_anywhere(F f);
+  void add_failure(Failure& failure, std::optional<uint16_t> style, std::string_view block);
+  std::string_view style_at(Span at) const;
 
   Program& program_;
   Library& library_;
@@ -155,7 +175,7 @@ class Compiler {
   std::size_t failures_ = 0;  ///< told or not
   std::vector<uint16_t> pending_;
   mutable std::unordered_map<uint32_t, std::optional<Type>> static_types_;  ///< by variable
-  int variable_depth_ = 0;  ///< levels of expressions on the way through variables
+  int rings_ = 0;  ///< of variables, that were complained of
 };
 
 [[noreturn]] void refuse(Span at, std::string text, std::string help = {},
@@ -165,6 +185,15 @@ class Compiler {
 std::string qualified(std::string_view block, std::string_view name);
 /// "did you mean 'x'?" or nothing.
 std::string meant(std::string_view word, std::span<const std::string_view> candidates);
+
+template <class F>
+void Compiler::attempt_anywhere(F f) {
+  try {
+    f();
+  } catch (Failure& failure) {
+    add_failure(failure, std::nullopt, {});
+  }
+}
 
 template <class F>
 void Compiler::attempt(uint16_t style, std::string_view block, F f) {

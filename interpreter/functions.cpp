@@ -88,11 +88,22 @@ using Opt = std::optional<double>;
 
 double draw_between(Call c, Opt low, Opt high) {
   const double a = high ? *low : 0, b = high ? *high : low.value_or(1);
+  if (a > b) {
+    c.machine.fail(c.machine.program.spans[c.node],
+                   high ? "rand(low, high) got " + number_text(a) + " for low and " +
+                              number_text(b) + " for high"
+                        : "rand(high) draws between 0 and high, which is " + number_text(b),
+                   high ? "write the lower bound first" : "write rand(low, high)");
+  }
   return a + (b - a) * unit_interval(c.draw);
 }
 
 /// Box and Muller 1958.
 double draw_normal(Call c, double mean, double deviation) {
+  if (deviation < 0) {
+    c.machine.fail(c.machine.program.spans[c.node],
+                   "a deviation can not be negative: " + number_text(deviation));
+  }
   const double u = 1 - unit_interval(mix(c.draw, 1)), v = unit_interval(mix(c.draw, 2));
   return mean + deviation * std::sqrt(-2 * std::log(u)) * std::cos(2 * pi * v);
 }
@@ -109,6 +120,10 @@ Value choose_weighted(Call c, std::span<const Value> items, std::span<const Valu
       c.machine.fail(c.machine.program.spans[c.node], "a weight is a number that is not negative");
     }
     total += w.number;
+  }
+  if (!(total > 0)) {
+    c.machine.fail(c.machine.program.spans[c.node],
+                   "all weights are 0: 'choose' can draw none of its values");
   }
   double draw = unit_interval(c.draw) * total;
   std::size_t i = 0;

@@ -154,6 +154,7 @@ class Machine {
   void run_super(Shape& shape, const Env& env);
   void check_arguments(const Step& step, const RuleSet& rules, const Shape& child);
   void no_candidate(const RuleSet& rules, const Shape& shape);
+  Diagnostic why_no_candidate(const RuleSet& rules, const Shape& shape) const;
   uint16_t style_named(const Value& name, Span at) const;
   void bind_index(const Production& chosen, const RuleSet& rules, const Shape& shape, Env& env);
   void explain(Diagnostic& diagnostic) const;
@@ -206,7 +207,8 @@ class Machine {
   uint32_t current_rules_ = none;
   int depth_ = 0;  ///< levels of expressions being evaluated in functions and variables
   int super_depth_ = 0;
-  std::size_t calls_ = 0;  ///< of functions, and of variables by others, in this building
+  std::size_t without_chance_ = 0;  ///< candidates of probability 0, when nothing else was found
+  std::size_t calls_ = 0;           ///< of functions, and of variables by others, in this building
 
   friend class BuildingValues;
   friend class Context;

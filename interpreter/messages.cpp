@@ -1,6 +1,7 @@
 #include "interpreter/messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "grammar/utf8.hpp"
@@ -74,6 +75,20 @@ std::optional<Diagnostic> operand_error(const Program& program, const ExprNode& 
     d.help = "num(text) makes a number of a string, str(value) a string of a number";
   }
   return d;
+}
+
+bool is_angle(double degrees) { return std::abs(degrees) <= 360; }
+
+std::string wrong_angle(double degrees) {
+  return "an axis at " + number_text(degrees) + " degrees: an angle lies between -360 and 360";
+}
+
+bool is_component_number(double number) {
+  return number >= 0 && number == std::floor(number) && number < 1e9;
+}
+
+std::string wrong_component(double number) {
+  return "no component has the number " + number_text(number);
 }
 
 Diagnostic size_count_error(const Call& call, std::size_t sizes) {

@@ -24,6 +24,12 @@ std::optional<Diagnostic> operand_error(const Program& program, const ExprNode& 
                                         Type right, ExprId a, ExprId b);
 /// Notes where `what` ("a string") was written or set, unless the diagnostic points there already.
 void note_writer(Diagnostic& diagnostic, std::string_view what, Span written);
+/// Whether a number can be the angle of an axis: degrees, a whole turn at most; what to say if not.
+bool is_angle(double degrees);
+std::string wrong_angle(double degrees);
+/// Whether a number can be that of a component, and what to say if it can not.
+bool is_component_number(double number);
+std::string wrong_component(double number);
 Diagnostic size_count_error(const Call& call, std::size_t sizes);
 
 }  // namespace mansard

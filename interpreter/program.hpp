@@ -151,6 +151,7 @@ struct Call {
 struct Production {
   ExprId guard = none;
   bool is_else = false;
+  bool joins_else = false;  ///< same `else` as the production before it: they are alternatives
   ExprId index_test = none;
   ExprId probability = none;
   BodyId body = 0;
@@ -183,6 +184,8 @@ struct VariableSlot {
 struct FunctionSlot {
   ExprId value = none;
   uint8_t parameters = 0;
+  std::string name;  ///< "Block.name" or "name"
+  const FunctionBinding* binding = nullptr;
 };
 
 /// Alternatives of an element or a material with their running weights.

@@ -35,12 +35,6 @@ constexpr std::array rows{
     AnnotationRow{"hidden", "", nothing, 0, 0, anywhere, "Tools do not show it."},
 };
 
-std::string usage(const AnnotationRow& row) {
-  std::string text = "@" + std::string(row.name);
-  if (!row.args.empty()) text += "(" + std::string(row.args) + ")";
-  return text;
-}
-
 bool is_literal(const syntax::Expr& expr) {
   if (const auto* reference = std::get_if<syntax::Reference>(&expr.is)) {
     return reference->names.size() == 1 && !reference->style;  // a symbol
@@ -123,6 +117,12 @@ std::span<const AnnotationRow> annotation_rows() { return rows; }
 const AnnotationRow* find_annotation_row(std::string_view name) {
   const auto* found = std::ranges::find(rows, name, &AnnotationRow::name);
   return found == rows.end() ? nullptr : found;
+}
+
+std::string usage(const AnnotationRow& row) {
+  std::string text = "@" + std::string(row.name);
+  if (!row.args.empty()) text += "(" + std::string(row.args) + ")";
+  return text;
 }
 
 std::vector<Diagnostic> check_annotations(const syntax::Preamble& preamble, Annotated what) {

@@ -26,6 +26,8 @@ struct AnnotationRow {
 
 std::span<const AnnotationRow> annotation_rows();
 const AnnotationRow* find_annotation_row(std::string_view name);
+/// `@range(min, max, step)`.
+std::string usage(const AnnotationRow& row);
 
 /// What a preamble stands before.
 enum class Annotated : uint8_t { variable, rule, other };

@@ -8,6 +8,7 @@
 #include "cli/lsp/uri.hpp"
 #include "cli/vocabulary.hpp"
 #include "interpreter/operation.hpp"
+#include "styles/annotations.hpp"
 
 namespace mansard::lsp {
 
@@ -185,8 +186,9 @@ void Completer::in_import() {
 }
 
 void Completer::annotations() {
-  for (const WordRow& row : annotation_rows())
-    add({std::string(row.name), property, {}, std::string(row.summary), {}});
+  for (const AnnotationRow& row : annotation_rows()) {
+    add({std::string(row.name), property, {}, usage(row) + ": " + std::string(row.summary), {}});
+  }
 }
 
 }  // namespace mansard::lsp

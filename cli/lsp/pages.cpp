@@ -3,6 +3,7 @@
 #include "cli/vocabulary.hpp"
 #include "interpreter/attribute_table.hpp"
 #include "interpreter/selectors.hpp"
+#include "styles/annotations.hpp"
 
 namespace mansard::lsp {
 
@@ -65,8 +66,8 @@ std::string selector_page(std::string_view name) {
 }
 
 std::string annotation_page(std::string_view name) {
-  const WordRow* const row = find_annotation(name);
-  return row ? titled("@" + std::string(name), row->summary) : std::string();
+  const AnnotationRow* const row = find_annotation_row(name);
+  return row ? titled(usage(*row), row->summary) : std::string();
 }
 
 std::string word_page(std::string_view name) {

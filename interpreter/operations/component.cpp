@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
 #include "interpreter/selectors.hpp"
 
@@ -29,8 +30,13 @@ void distribute(Context& c, std::size_t first, std::optional<Selector> single) {
   counts.resize(chosen + n, none);
   for (std::size_t p = 0; p < parts; ++p) {
     const CallPart& part = c.call.parts[p];
-    if (part.labelled && part.name == none)
-      numbers[number + p] = c.machine.number(part.size.value, c.env);
+    if (!part.labelled || part.name != none) continue;
+    const double wanted = c.machine.number(part.size.value, c.env);
+    if (!is_component_number(wanted)) {
+      c.machine.fail(c.machine.program.spans[part.size.value], wrong_component(wanted),
+                     "they are numbered from 0");
+    }
+    numbers[number + p] = wanted;
   }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t p = 0; p < parts && counts[chosen + i] == none; ++p) {

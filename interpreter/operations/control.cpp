@@ -69,6 +69,10 @@ void print(Context& c, Values values) {
 }
 
 void fail(Context& c, std::string_view message) {
+  if (message.empty()) {
+    c.machine.fail(c.call.at, "the style fails here, and does not say why",
+                   "give fail() a message");
+  }
   c.machine.fail(c.call.at, "the style says: " + std::string(message));
 }
 

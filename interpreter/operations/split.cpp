@@ -28,6 +28,7 @@ Direction direction_of(Context& c, const Value& axis) {
   Direction d;
   if (axis.type == Type::number) {
     d.diagonal = true;
+    if (!is_angle(axis.number)) c.fail(0, wrong_angle(axis.number), "0 runs along the face, 90 up");
     const double angle = axis.number * 3.14159265358979323846 / 180;
     d.along = {std::cos(angle), std::sin(angle)};
     if (c.shape.form != Form::rectangle && c.shape.form != Form::polygon)

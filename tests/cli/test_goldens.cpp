@@ -1,7 +1,7 @@
 // Every script in tests/golden/derive and styles_run gives the shape tree and the mesh in the .out
-// beside it, every one in errors the messages in its .err. A script says in its first comments what
-// it is derived on: `// footprint: rect:10x8` (the default) and `// flags: --lod 2`.
-// UPDATE_GOLDEN=1 accepts what comes out: read it first.
+// beside it, every one in errors the messages in its .err, every one in check what check says of
+// it. A script says in its first comments what it is derived on: `// footprint: rect:10x8` (the
+// default) and `// flags: --lod 2`. UPDATE_GOLDEN=1 accepts what comes out: read it first.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -116,6 +116,15 @@ std::string complaints(const Script& script) {
   return derive.err + "exit status " + std::to_string(derive.status) + "\n";
 }
 
+/// What check says of a script, and whether it is content.
+std::string checked(const Script& script) {
+  std::vector<std::string> words{"check", script.path.filename().string()};
+  words.insert(words.end(), script.flags.begin(), script.flags.end());
+  const Run check = run(words, script.path.parent_path());
+  CHECK(check.out.empty());
+  return check.err + "exit status " + std::to_string(check.status) + "\n";
+}
+
 template <class F>
 void compare_folder(const std::string& folder, const char* ending, F result) {
   std::vector<fs::path> scripts;
@@ -139,6 +148,7 @@ TEST_CASE("what scripts derive") { compare_folder("derive", ".out", derived); }
 TEST_CASE("what styles inherit shows in what they derive") {
   compare_folder("styles_run", ".out", derived);
 }
+TEST_CASE("what check warns of") { compare_folder("check", ".err", checked); }
 TEST_CASE("what is wrong with scripts is said to the character") {
   compare_folder("errors", ".err", complaints);
 }

@@ -28,11 +28,17 @@ Script Script::file(const std::string& path, CompileOptions options) {
   return compiled(std::make_unique<DiskFiles>(), std::string(MANSARD_ROOT) + "/" + path, options);
 }
 
+Script Script::files(std::unique_ptr<Files> files, const std::string& path,
+                     CompileOptions options) {
+  return compiled(std::move(files), path, options);
+}
+
 Script Script::compiled(std::unique_ptr<Files> files, const std::string& path,
                         const CompileOptions& options) {
   Script script;
   script.files_ = std::move(files);
-  script.library_ = std::make_unique<Library>(*script.files_);
+  script.library_ = std::make_unique<Library>(
+      *script.files_, std::vector<std::string>{MANSARD_ROOT "/styles/library"});
   script.meshes_ = std::make_unique<NoMeshes>();
   Diagnostics diagnostics;
   if (script.library_->load(path, diagnostics) && !diagnostics.has_errors()) {

@@ -16,6 +16,8 @@ class Script {
  public:
   static Script text(const std::string& text, CompileOptions options = {});
   static Script file(const std::string& path, CompileOptions options = {});
+  static Script files(std::unique_ptr<Files> files, const std::string& path,
+                      CompileOptions options = {});
 
   bool good() const { return program_ != nullptr; }
   const std::string& problems() const { return problems_; }  ///< errors as they are printed

@@ -11,8 +11,8 @@ style House {
     }
     Facade {
         var Axis = 2.4
-        var Half = Axis / 2
-        def share(n) = n * Axis
+        var Half = Axis / 2          // allow W006
+        def share(n) = n * Axis      // allow W006
         FACADE : W > Axis -> repeat("X", Axis) { TILE }
         FACADE : else -> WALL
     }
@@ -20,7 +20,7 @@ style House {
         var WindowWidth = 1.2
         TILE -> subdiv("X", 1r, WindowWidth, 1r) { WALL | WINDOW | WALL }
         ROOF -> roof("hip", 30, overhang = 0.3) { slope : TILES | soffit : WALL | fascia : WALL }
-        Stack(n) : n > 0 -> extrude(1) { Stack(n - 1) }
+        Stack(n) : n > 0 -> extrude(1) { Stack(n - 1) }  // allow W009
         Stack(n) : else -> WALL
     }
     Materials { WALL : color("tan")  TILES : color("#804030") }

@@ -13,7 +13,7 @@ syn match mansardArgument /\<\%(thickness\|distance\|overhang\|selector\|variabl
 syn match mansardAttribute /\<\%(split\.count\|split\.index\|split\.round\|comp\.count\|comp\.index\|comp\.name\|scope\.sx\|scope\.sy\|scope\.sz\|scope\.tx\|scope\.ty\|scope\.tz\|scope\.D\|scope\.H\|scope\.W\|scope\.x\|scope\.y\|scope\.z\)\>/
 syn match mansardAttribute /\<\%(is_rectangle\|elevation\|is_convex\|is_planar\|perimeter\|inradius\|facing\|symbol\|volume\|edges\|index\|level\|slope\|area\|seed\|D\|H\|W\)\>\%(\s*[:(=]\)\@!/
 syn match mansardStyle /\<\h\w*\ze\s*::/
-syn match mansardAnnotation /@\%(choice\|hidden\|color\|group\|label\|range\|unit\|per\)\>/
+syn match mansardAnnotation /@\%(choice\|hidden\|color\|group\|label\|range\|stage\|seed\|unit\|per\)\>/
 syn match mansardArrow /->/
 syn match mansardNumber /\%(\w\|\.\)\@1<!\%(\d\+\.\=\d*\|\.\d\+\)\%([eE][+-]\=\d\+\)\=\%(r\>\|%\)\=/
 syn keyword mansardInput BUILDING_HEIGHT BUILDING_LEVELS BUILDING_NAME BUILDING_USE

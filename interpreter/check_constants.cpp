@@ -1,0 +1,94 @@
+// Constant arguments that are wrong for every shape, so that nobody has to derive one to hear of
+// it.
+#include <algorithm>
+
+#include "interpreter/compiler.hpp"
+#include "interpreter/messages.hpp"
+
+namespace mansard {
+
+std::optional<double> Compiler::constant_number(ExprId id) const {
+  if (id == none || program_.nodes[id].kind != ExprKind::constant) return std::nullopt;
+  const Value& value = program_.constants[program_.nodes[id].first];
+  return value.type == Type::number ? std::optional(value.number) : std::nullopt;
+}
+
+void Compiler::check_constants() {
+  for (const Call& call : program_.calls) {
+    attempt_anywhere([&] { check_axis(call); });
+    check_components(call, call.parts);
+  }
+  for (const Production& production : program_.productions) {
+    attempt_anywhere([&] {
+      const auto probability = constant_number(production.probability);
+      if (probability && *probability < 0) {
+        refuse(program_.spans[production.probability], "a probability can not be negative");
+      }
+    });
+  }
+  for (const CompiledStyle& style : program_.styles) check_symbols_of_draws(style);
+  for (const Step& step : program_.steps) {
+    if (step.style_of != none) attempt_anywhere([&] { check_style_named(step.style_of); });
+  }
+}
+
+/// `style("Terrace")::FOOTPRINT`.
+void Compiler::check_style_named(ExprId id) {
+  const ExprNode& node = program_.nodes[id];
+  if (node.kind != ExprKind::constant) return;
+  const Value& value = program_.constants[node.first];
+  if (value.type != Type::string || library_.find(value.string())) return;
+  std::vector<std::string_view> names;
+  for (const syntax::Style* style : library_.styles()) names.push_back(style->name.text);
+  const std::string help = meant(value.string(), names);
+  refuse(program_.spans[id], "no style '" + std::string(value.string()) + "' is loaded",
+         help.empty() ? "import the file that holds it" : help);
+}
+
+void Compiler::check_axis(const Call& call) {
+  if (call.args.empty() || call.operation->parameter_name(0) != "axis") return;
+  const auto angle = constant_number(call.args[0].value);
+  if (angle && !is_angle(*angle)) {
+    refuse(program_.spans[call.args[0].value], wrong_angle(*angle), "0 runs along the face, 90 up");
+  }
+}
+
+void Compiler::check_components(const Call& call, const std::vector<CallPart>& parts) {
+  if (call.operation->rule != PartRule::selectors) return;
+  for (const CallPart& part : parts) {
+    const auto number = constant_number(part.size.value);
+    if (!number || is_component_number(*number)) continue;
+    attempt_anywhere([&] {
+      refuse(program_.spans[part.size.value], wrong_component(*number), "they are numbered from 0");
+    });
+  }
+}
+
+/// `@per("SYMBOL")` and `per "SYMBOL"`: nothing would ever be drawn anew for a misspelt one. A
+/// style that is only mixed in may speak of symbols that its heirs have.
+void Compiler::check_symbols_of_draws(const CompiledStyle& style) {
+  const LinkedStyle& linked = *style.linked;
+  if (!linked.missing.empty() || !linked.find_symbol(linked.start)) return;
+  const auto check = [&](const syntax::Expr& expr, std::string_view block) {
+    const auto* text = std::get_if<syntax::Text>(&expr.is);
+    if (!text || text->value == "shape" || text->value == "building") return;
+    if (known_symbols_.contains(text->value)) return;
+    attempt(program_.style_numbers.at(style.name), block, [&] {
+      const std::vector<std::string_view> names(known_symbols_.begin(), known_symbols_.end());
+      const std::string help = meant(text->value, names);
+      refuse(expr.at, "there is no symbol '" + text->value + "'",
+             help.empty() ? "\"shape\", \"building\" or the name of a symbol" : help);
+    });
+  };
+  for (const VariableBinding& variable : linked.variables) {
+    for (const syntax::Annotation& annotation : variable.syntax->pre.annotations) {
+      if (annotation.name.text != "per" || annotation.args.size() != 1) continue;
+      if (const auto& value = annotation.args[0].value.value) check(*value, variable.block);
+    }
+  }
+  for (const MaterialBinding& material : linked.materials) {
+    if (material.entry && material.entry->per) check(*material.entry->per, "Materials");
+  }
+}
+
+}  // namespace mansard

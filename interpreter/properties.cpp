@@ -1,0 +1,107 @@
+#include "interpreter/properties.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace mansard {
+
+namespace {
+
+class Misnamed {
+ public:
+  explicit Misnamed(const Program& program) {
+    for (const VariableSlot& v : program.variables) {
+      names_.insert(v.name);
+      blocks_.insert(v.binding->block);
+      (v.binding->block.empty() ? style_wide_ : in_blocks_).insert(v.binding->name);
+    }
+    blocks_.erase(std::string_view());
+  }
+
+  /// What to say of a property; nothing when it gives a variable its value, or looks like none.
+  std::optional<Diagnostic> check(std::string_view name) const {
+    if (names_.contains(name)) return std::nullopt;
+    const auto dot = name.find('.');
+    const auto help = dot == std::string_view::npos
+                          ? bare(name)
+                          : dotted(name.substr(0, dot), name.substr(dot + 1));
+    if (!help) return std::nullopt;
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.code = "W021";
+    d.text = "property '" + std::string(name) + "' gives no variable its value";
+    d.help = *help;
+    return d;
+  }
+
+ private:
+  using Words = std::set<std::string_view>;
+
+  static std::string_view nearest_in(const Words& words, std::string_view word) {
+    if (words.contains(word)) return word;
+    const std::vector<std::string_view> candidates(words.begin(), words.end());
+    return nearest(word, candidates).value_or(std::string_view());
+  }
+
+  static std::string meant(std::string_view name) {
+    return "did you mean '" + std::string(name) + "'?";
+  }
+
+  std::optional<std::string> dotted(std::string_view block, std::string_view name) const {
+    const std::string_view near = nearest_in(blocks_, block);
+    if (near.empty()) return std::nullopt;
+    const std::string start = std::string(near) + ".";
+    Words variables;
+    for (const std::string_view full : names_) {
+      if (full.starts_with(start)) variables.insert(full.substr(start.size()));
+    }
+    const std::string_view variable = nearest_in(variables, name);
+    if (!variable.empty()) return meant(start + std::string(variable));
+    if (near != block) return std::nullopt;
+    return "block '" + std::string(block) + "' has no such variable";
+  }
+
+  std::optional<std::string> bare(std::string_view name) const {
+    const auto is_upper = [](unsigned char c) { return std::isupper(c) != 0; };
+    const auto is_lower = [](unsigned char c) { return std::islower(c) != 0; };
+    const bool mixed = name.size() > 3 && is_upper(name[0]) && std::ranges::any_of(name, is_lower);
+    if (!mixed) return std::nullopt;  // as variables are written, and the keys of maps are not
+    if (in_blocks_.contains(name)) {
+      return "a bare name is a variable of the style: write '" + std::string(block_of(name)) + "." +
+             std::string(name) + "'";
+    }
+    const std::string_view near = nearest_in(style_wide_, name);
+    return near.empty() ? std::nullopt : std::optional(meant(near));
+  }
+
+  std::string_view block_of(std::string_view name) const {
+    for (const std::string_view full : names_) {
+      const auto dot = full.find('.');
+      if (dot != std::string_view::npos && full.substr(dot + 1) == name) return full.substr(0, dot);
+    }
+    return {};
+  }
+
+  Words names_, blocks_, style_wide_, in_blocks_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> misnamed_properties(const Program& program,
+                                            std::span<const Footprint> footprints) {
+  const Misnamed misnamed(program);
+  std::vector<Diagnostic> found;
+  std::set<std::string_view> seen;
+  for (const Footprint& footprint : footprints) {
+    for (const Property& property : footprint.properties) {
+      if (!seen.insert(property.name).second) continue;
+      if (auto d = misnamed.check(property.name)) found.push_back(std::move(*d));
+    }
+  }
+  return found;
+}
+
+}  // namespace mansard
