@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 
 #include "grammar/spacing.hpp"
 
@@ -51,7 +52,9 @@ class Page {
   struct Cost {
     int excess = 0;  ///< columns beyond the width, of all lines
     int lines = 0;
-    auto operator<=>(const Cost&) const = default;
+    friend bool operator<=(const Cost& a, const Cost& b) {
+      return std::tie(a.excess, a.lines) <= std::tie(b.excess, b.lines);
+    }
   };
   /// What an attempt to write something costs; the page is as before.
   template <class Write>
