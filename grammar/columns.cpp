@@ -6,7 +6,7 @@ namespace mansard::layout {
 
 namespace {
 
-constexpr std::size_t most_together = 40;  // rows, where not all of them can be aligned
+constexpr std::size_t most_together = 20;  // rows, where not all of them can be aligned
 
 class Columns {
  public:
@@ -90,9 +90,13 @@ class Columns {
     return good;
   }
 
+  bool padded(std::size_t i) const {
+    return std::ranges::any_of(stops(i), [&](uint32_t s) { return page_.padding({s, s}) > 0; });
+  }
+
   bool fits(std::size_t i) {
     const Row& row = rows_[i];
-    if (!one_line(row)) return cost(row) <= plain_[i];
+    if (!one_line(row)) return !padded(i) || cost(row) <= plain_[i];
     return reached(i, row.line.last) + tokens_[row.line.last].width <= page_width;
   }
 

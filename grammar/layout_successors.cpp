@@ -12,7 +12,7 @@ namespace {
 constexpr int braces = 2;       // columns of " }"
 constexpr int arrow_width = 3;  // of "-> "
 constexpr int short_operation = 8;
-constexpr int most_attempts = 3;  // nested in each other; each doubles the time
+constexpr int most_attempts = 1;  // nested in each other; each takes three times as long
 constexpr int short_head = 40;
 constexpr int far_right = 60;
 constexpr int widest_label = 24, widest_guard = 28;

@@ -1,6 +1,7 @@
 // The text that the formatter writes, a token at a time, with the comments where they stood.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <tuple>
 
@@ -9,6 +10,7 @@
 namespace mansard::layout {
 
 constexpr int page_width = 100;  // columns; comments behind the code of a line do not count
+constexpr int rightmost = 76;    // column where a line begins: however deep its brackets stand
 
 class Page {
  public:
@@ -16,7 +18,7 @@ class Page {
       : tokens_(tokens), spacing_(spacing), pads_(tokens.count()) {}
 
   /// The next token begins a line at this column.
-  void line(int column) { now_.pending = now_.pending_comments = column; }
+  void line(int column) { now_.pending = now_.pending_comments = std::min(column, rightmost); }
   /// The same for a member: one blank line before it and each of its comments is kept.
   void member_line(int column);
   /// The same for the brace that ends members: comments before it are indented as they are.
@@ -39,7 +41,9 @@ class Page {
   /// While it lives, lines that nothing but a comment breaks go on at this column.
   class Base {
    public:
-    Base(Page& page, int column) : page_(page), before_(page.base_) { page.base_ = column; }
+    Base(Page& page, int column) : page_(page), before_(page.base_) {
+      page.base_ = std::min(column, rightmost);
+    }
     ~Base() { page_.base_ = before_; }
     Base(const Base&) = delete;
     Base& operator=(const Base&) = delete;
