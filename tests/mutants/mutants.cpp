@@ -273,10 +273,14 @@ void add_values(std::vector<Slip>& all) {
 
 // ---- words of other languages, words in another order, files that are cut off
 
-/// The line that shows it is the first that names a style of the file that is not imported.
+/// The line that shows it is the first that names a style of the file that is not imported, the
+/// only one.
 void without_import(const Place& p) {
   const Original& script = p.script();
   const layout::Tokens& tokens = script.tokens();
+  for (uint32_t i = 0; i < tokens.count(); ++i) {
+    if (i != p.index() && tokens[i].text == "import") return;
+  }
   const auto is_style = [&](uint32_t i) {
     const bool parent =
         script.around(i) == i && (tokens[i - 1].text == ":" || tokens[i - 1].text == ",");
