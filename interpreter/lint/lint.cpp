@@ -18,7 +18,8 @@ void lint(const Program& program, const syntax::File& file, Diagnostics& diagnos
 
 Linting::Linting(const Program& p, const syntax::File& f, Diagnostics& d)
     : program(p), file(f), diagnostics(d), reach(p), reads(p) {
-  for (uint16_t number = 0; number < program.styles.size(); ++number) {
+  const auto count = static_cast<uint16_t>(program.styles.size());
+  for (uint16_t number = 0; number < count; ++number) {
     if (!reach.live(number)) continue;
     for (const syntax::Style* style : program.styles[number].linked->order) {
       heirs_[style].push_back(number);

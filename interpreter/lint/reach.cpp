@@ -4,13 +4,21 @@
 
 namespace mansard {
 
+namespace {
+
+uint16_t style_count(const Program& program) {
+  return static_cast<uint16_t>(program.styles.size());
+}
+
+}  // namespace
+
 Reach::Reach(const Program& program)
     : program_(program),
       reached_(program.styles.size(), std::vector<bool>(program.symbols.size(), false)),
       live_(program.styles.size(), false),
       variables_(program.variables.size(), false),
       functions_(program.functions.size(), false) {
-  for (uint16_t style = 0; style < program.styles.size(); ++style) {
+  for (uint16_t style = 0; style < style_count(program); ++style) {
     const CompiledStyle& compiled = program.styles[style];
     const bool derivable =
         compiled.linked->missing.empty() && compiled.rules[compiled.start] != none;
@@ -56,7 +64,7 @@ void Reach::step(const Step& step) {
   if (step.kind == StepKind::super) says_super_ = true;
   if (step.kind != StepKind::emit) return;
   if (step.style_of == none) return push(step.style == 0xffff ? style_ : step.style, step.what);
-  for (uint16_t style = 0; style < program_.styles.size(); ++style) {
+  for (uint16_t style = 0; style < style_count(program_); ++style) {
     if (program_.styles[style].rules[step.what] != none) push(style, step.what);
   }
 }
@@ -136,7 +144,7 @@ struct Emissions {
 std::vector<std::vector<bool>> emitted_by_others(const Program& program) {
   std::vector<std::vector<bool>> found(program.styles.size(),
                                        std::vector<bool>(program.symbols.size(), false));
-  for (uint16_t style = 0; style < program.styles.size(); ++style) {
+  for (uint16_t style = 0; style < style_count(program); ++style) {
     for (uint32_t symbol = 0; symbol < program.symbols.size(); ++symbol) {
       Emissions emissions{program, found, style, symbol};
       uint32_t set = program.styles[style].rules[symbol];

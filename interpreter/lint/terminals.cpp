@@ -120,11 +120,12 @@ void warn_of_terminals(Linting& linting) {
                   *places.begin() + static_cast<uint32_t>(word.size())};
     for (const uint32_t near : described.of(word)) {
       if (!is_slip(word, program.symbols[near])) continue;
-      const bool meant = std::ranges::any_of(program.styles, [&](const CompiledStyle& style) {
-        const auto number = static_cast<uint16_t>(&style - program.styles.data());
-        return linting.reach.reached(number, terminal) && !is_described(style, terminal) &&
-               is_described(style, near);
-      });
+      const bool meant =
+          std::ranges::any_of(program.styles, [&, symbol = terminal](const CompiledStyle& style) {
+            const auto number = static_cast<uint16_t>(&style - program.styles.data());
+            return linting.reach.reached(number, symbol) && !is_described(style, symbol) &&
+                   is_described(style, near);
+          });
       if (!meant) continue;
       const bool has_rules = std::ranges::any_of(
           program.styles, [&](const CompiledStyle& style) { return style.rules[near] != none; });
