@@ -120,19 +120,25 @@ void Compiler::emit_symbol(const syntax::Emit& e, Span at, NameScope& scope,
     step.what = plain_name(e.name, scope);
   } else {
     const std::size_t given = e.args ? e.args->size() : 0;
-    const std::size_t expected = rules ? rules->generations[0].productions[0]->params.size() : 0;
+    const auto asked = linked.asked.find(e.name.text);  // by an abstract style, of its heirs
+    const bool is_asked = !rules && asked != linked.asked.end();
+    const std::size_t expected = rules      ? rules->generations[0].productions[0]->params.size()
+                                 : is_asked ? asked->second->params.size()
+                                            : 0;
     if (is_parameter) {
       refuse(e.args_at,
              "parameter '" + std::string(e.name.text) +
                  "' stands as a symbol here, and takes no arguments",
              "give them where the symbol is handed over, in a rule of its own");
     }
-    if (!rules && e.args) not_an_operation(e, scope.style);
-    if (rules && given != expected) {
+    if (!rules && !is_asked && e.args) not_an_operation(e, scope.style);
+    if ((rules || is_asked) && given != expected) {
       refuse(e.args ? e.args_at : e.name.at,
              "'" + std::string(e.name.text) + "' takes " + count_text(expected, "argument") +
                  ", not " + std::to_string(given),
-             {}, {{"its rule is here", rules->generations[0].productions[0]->head}});
+             {},
+             {rules ? Note{"its rule is here", rules->generations[0].productions[0]->head}
+                    : Note{"it is asked for here", asked->second->name.at}});
     }
     step.what = program_.symbols.intern(e.name.text);
     arguments(e, scope, step);

@@ -17,6 +17,8 @@ void Compiler::collect_symbols() {
       for (const auto& entry : block->elements) known_symbols_.insert(entry.symbol.text);
       for (const auto& entry : block->materials) known_symbols_.insert(entry.symbol.text);
       for (const syntax::BlockItem& item : block->items) {
+        if (const auto* abstract = std::get_if<syntax::AbstractSymbol>(&item))
+          known_symbols_.insert(abstract->name.text);
         if (const auto* rule = std::get_if<syntax::Rule>(&item)) {
           known_symbols_.insert(rule->name.text);
           collect(rule->successor);

@@ -61,6 +61,7 @@ void find_missing(Linking& linking) {
     for (const auto& given : slot.given) {
       if (given.dropped) continue;
       miss("rule for " + in_quotes(slot.name), given.syntax->name.at);
+      result.asked.emplace(slot.name, given.syntax);
       break;
     }
   }

@@ -90,6 +90,8 @@ struct LinkedStyle {
   /// Alternatives that were given and are in force no more.
   std::unordered_map<const syntax::ElementAlternative*, Ending> ended_elements;
   std::unordered_map<const syntax::MaterialAlternative*, Ending> ended_materials;
+  /// Symbols that an `abstract` asks for and nobody gives.
+  std::unordered_map<std::string_view, const syntax::AbstractSymbol*> asked;
   std::vector<Diagnostic> missing;  ///< abstract members nobody gave: errors once it is derived
 
   std::string_view name() const { return syntax->name.text; }

@@ -208,6 +208,12 @@ TEST_CASE("diagnostics are JSON for machines") {
   CHECK(errors == 2);
 }
 
+TEST_CASE("an abstract style may hand arguments to what its heirs will give") {
+  const Run check =
+      run({"check", root + "/tests/golden/styles_run/abstract_with_parameters.style"});
+  CHECK(check.status == 0);
+}
+
 TEST_CASE("with --json every line beside the results is JSON") {
   const TemporaryFolder folder;
   const Run derive = run({"derive", box, "rect:10x8", "--json", "-o", folder / "model.obj"});
