@@ -34,6 +34,11 @@ bool is_text(const Source& source, Diagnostics& diagnostics) {
       ++at;
       continue;
     }
+    if (first == '\r' && text.substr(at + 1, 1) != "\n") {
+      diagnostics.add(error({&source, at, at + 1}, "a carriage return without a line feed",
+                            "save the script with the line ends LF or CRLF"));
+      return false;
+    }
     const CodePoint c = decode(text, at);
     if (!c.valid || is_control(c.value)) {
       diagnostics.add(error({&source, at, at + 1},

@@ -131,6 +131,8 @@ TEST_CASE("a hundred warnings of one kind say no more than fifty") {
 
 TEST_CASE("what is no text is refused with a place") {
   CHECK(read(std::string("style A { }\n\0", 13)).first == "a control character stands here");
+  CHECK(read("style A { } // old\rstyle B { }").first == "a carriage return without a line feed");
+  CHECK(read("style A { }\r\n").errors == 0);
   CHECK(read("style A { } // \x1b[31m").first == "a control character stands here");
   CHECK(read("style A { } // \xC3(").first == "this is not UTF-8 text");
   CHECK(read("\xFF").first == "this is not UTF-8 text");

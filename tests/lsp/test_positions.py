@@ -32,14 +32,19 @@ class Positions(Case):
         self.assertEqual(stretch(TEXT, "Wide", 0, "utf-8")["start"]["character"], 24)
 
     def test_line_ends(self):
-        # To the language a lone \r ends no comment, so that there is none in this text.
-        for end, text in (("\r\n", TEXT), ("\r", TEXT.replace("// 𝄞 after", ""))):
-            self.write(a="")
-            self.texts["a.style"] = text.replace("\n", end)
-            self.serve("a.style")
-            self.assertEqual(self.references("utf-16"),
-                             [stretch(TEXT, "Wide", n, "utf-16") for n in range(3)])
-            self.client.stop()
+        self.write(a="")
+        self.texts["a.style"] = TEXT.replace("\n", "\r\n")
+        self.serve("a.style")
+        self.assertEqual(self.references("utf-16"),
+                         [stretch(TEXT, "Wide", n, "utf-16") for n in range(3)])
+
+    def test_carriage_returns_alone_are_a_problem(self):
+        self.write(a="")
+        self.texts["a.style"] = TEXT.replace("\n", "\r")
+        self.serve("a.style")
+        told = [d["message"] for problems in self.client.settle().values() for d in problems]
+        self.assertEqual(len(told), 1)
+        self.assertIn("a carriage return without a line feed", told[0])
 
     def test_changes_inside_wide_characters(self):
         self.write(a=TEXT)
