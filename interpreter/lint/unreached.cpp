@@ -84,11 +84,22 @@ class Unreached {
                     near.empty() ? "emit it somewhere, or take its rules away"
                                  : quoted(near) +
                                        " is emitted and has no rules: one of them may "
-                                       "be misspelt");
+                                       "be misspelt",
+                    emissions_of(near));
     }
     for (const uint16_t heir : linting_.live_heirs(*lost.style)) {
       linting_.reach.go_on_from(heir, lost.symbol);
     }
+  }
+
+  /// The first place in this script where a rule emits the symbol.
+  std::vector<Note> emissions_of(std::string_view name) const {
+    const auto symbol = linting_.program.symbols.find(name);
+    for (const Step& step : linting_.program.steps) {
+      if (step.kind != StepKind::emit || symbol != step.what || !linting_.here(step.at)) continue;
+      return {{quoted(name) + " is emitted here", step.at}};
+    }
+    return {};
   }
 
   void suspect(std::string_view name) {
