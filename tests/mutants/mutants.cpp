@@ -35,9 +35,9 @@ std::string_view Original::operation_of(uint32_t bracket) const {
   return known ? tokens_[name].text : std::string_view{};
 }
 
-bool Original::declares(std::string_view variable) const {
+bool Original::has(std::string_view word, std::string_view next) const {
   for (uint32_t i = 1; i < tokens_.count(); ++i) {
-    if (tokens_[i].text == variable && tokens_[i - 1].text == "var") return true;
+    if (tokens_[i - 1].text == word && tokens_[i].text == next) return true;
   }
   return false;
 }
@@ -121,7 +121,6 @@ struct Slip {
 };
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
 // ---- signs that are missing, or there twice
 
 Place::Causes names_bracket(std::string_view sign) {
@@ -181,8 +180,13 @@ void add_misspelt(std::vector<Slip>& all) {
     return find_function(p.text()) && !find_operation(p.text()) && p[1].text == "(";
   });
   when("variable", [](const Place& p) {
-    return p.script().declares(p.text()) && p[-1].text != "var" && p[-1].text != "." &&
+    return p.script().has("var", p.text()) && p[-1].text != "var" && p[-1].text != "." &&
            p[1].text != "{" && !is_label(p);
+  });
+  when("emitted symbol", [](const Place& p) {  // a short one may be meant
+    const bool is_head = p[1].text == "->" || p[1].text == ":";
+    return p.text().size() > 5 && p.script().has(p.text(), "->") && !is_head && p[1].text != "(" &&
+           p[1].text != "[" && p[-1].text != "::";
   });
   when("overriding symbol", [](const Place& p) { return p[-1].text == "override"; });
   when("keyword", [](const Place& p) { return p.token().keyword && p.text() != "super"; });

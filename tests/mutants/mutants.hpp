@@ -35,7 +35,8 @@ class Original {
   uint32_t around(uint32_t token) const { return around_[token]; }
   /// The name of the operation whose arguments or parts stand in these brackets, else nothing.
   std::string_view operation_of(uint32_t bracket) const;
-  bool declares(std::string_view variable) const;
+  /// The two words stand somewhere one behind the other.
+  bool has(std::string_view word, std::string_view next) const;
 
   /// The script with tokens [first, last] replaced.
   Mutant replaced(uint32_t first, uint32_t last, const std::string& with) const;
