@@ -6,7 +6,7 @@ std::string find_picture(std::string_view file, Span at, const Program& program,
                          MeshSource& source) {
   const std::string name(file), folder = Library::folder_of(at);
   const bool absolute = name.starts_with('/');
-  const std::string beside = absolute || folder.empty() ? name : folder + "/" + name;
+  std::string beside = absolute || folder.empty() ? name : folder + "/" + name;
   if (source.has_picture(beside)) return beside;
   if (absolute) return {};
   for (const std::string& other : program.mesh_folders) {

@@ -23,8 +23,8 @@ struct Variables {
   static const auto* find(const LinkedStyle& style, std::string_view block, std::string_view name) {
     return style.find_variable(block, name);
   }
-  static bool is_read(const Reads& reads, const syntax::Style& style, const std::string& name) {
-    return reads.variable(style, name);
+  static bool is_read(const Reads& all_reads, const syntax::Style& style, const std::string& name) {
+    return all_reads.variable(style, name);
   }
 };
 
@@ -35,8 +35,8 @@ struct Functions {
   static const auto* find(const LinkedStyle& style, std::string_view block, std::string_view name) {
     return style.find_function(block, name);
   }
-  static bool is_read(const Reads& reads, const syntax::Style& style, const std::string& name) {
-    return reads.function(style, name);
+  static bool is_read(const Reads& all_reads, const syntax::Style& style, const std::string& name) {
+    return all_reads.function(style, name);
   }
 };
 
