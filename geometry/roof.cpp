@@ -155,7 +155,7 @@ Roof roof(const Polygon& polygon, const RoofOptions& options) {
   std::vector<char> gable(on->polygon.points.size(), 0);
   if (options.kind == RoofKind::gable) {
     gable = make_gables(
-        *on, [&](uint32_t e) { return !options.gables || options.gables(on->edges[e]); });
+        *on, [&](uint32_t e) { return !options.gables || (*options.gables)[on->edges[e]] != 0; });
   }
   return SlopedRoof(*on, gable, options).build(options.overhang > 0);
 }

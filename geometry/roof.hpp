@@ -1,10 +1,10 @@
-// Roofs over any polygon, by the straight skeleton (Aichholzer et al. 1995; Laycock & Day 2003 for
-// gables). CGAL stays behind this interface.
+// Roofs over any polygon. Most kinds stand on the straight skeleton (Aichholzer et al. 1995;
+// Laycock & Day 2003 for the ends of ridges), the others are profiles swept along a direction. CGAL
+// stays behind this interface.
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "geometry/polygon.hpp"
@@ -12,22 +12,46 @@
 
 namespace mansard {
 
-enum class RoofKind : uint8_t { flat, hip, gable };
-enum class RoofPart : uint8_t { slope, gable, top, soffit, fascia, parapet };
+enum class RoofKind : uint8_t {
+  flat,
+  hip,
+  gable,        ///< ridges end in upright walls
+  half_hip,     ///< the top of each gable leans back (jerkinhead)
+  dutch_hip,    ///< a small gable above each hip end (gablet)
+  pyramid,      ///< all faces meet in one point, where it sees every wall
+  shed,         ///< one plane, low at the edge `ridge`
+  mansard,      ///< hips, steep below and shallow above
+  gambrel,      ///< gables, steep below and shallow above
+  saltbox,      ///< one ridge out of the middle, its short slope at the edge `ridge`
+  cross_gable,  ///< gables, and one more on every wall long enough
+  sawtooth,     ///< teeth along the edge `ridge`, upright on its side
+  barrel        ///< an arc across the edge `ridge`
+};
+enum class RoofPart : uint8_t { slope, gable, top, soffit, fascia, parapet, lower, upper };
 
 struct RoofOptions {
   RoofKind kind = RoofKind::hip;
-  double pitch = 35;  ///< degrees, 0 < pitch < 89
-  double height = 0;  ///< metres to the highest point; used instead of pitch when positive
-  /// Metres, horizontal, at eaves and gables; not at gables over party walls, where the neighbour
-  /// stands. Corners go only a share of the way where they would meet other eaves.
-  double overhang = 0;
-  double thickness = 0.15;  ///< metres: height of the fascia; only with overhang
+  /// Degrees, 0 < pitch < 90: of every slope; of the lower ones where there are two; of the short
+  /// one of a saltbox, whose other is `upper_pitch`; of a barrel at its eaves.
+  double pitch = 35;
+  double height = 0;  ///< metres from the walls' top to the highest point; used instead of pitch
+  /// Metres, horizontal, beyond the walls: at eaves, and at gables (`verge`; as at the eaves when
+  /// negative). Gables over party walls stay flush, the neighbour stands there. Corners go only a
+  /// share of the way where they would meet other eaves.
+  double overhang = 0, verge = -1;
+  double thickness = 0.15;  ///< metres, upright, of the roof's edge; only with overhang
+  double upper_pitch = 0;   ///< degrees, of the upper slopes; 0: 25 for mansard, 30 otherwise
+  double break_height = 0;  ///< metres above the walls where the upper slopes begin, or
+  double break_inset = 0;   ///< metres inside the walls; neither: at 0.4 of the way to the ridge
+  double clipped = 0.4;     ///< share of a gable's height: hip of a half_hip, gablet of a dutch_hip
+  double tooth = 6;         ///< metres: width of a sawtooth roof's teeth, about
   double parapet = 0;       ///< metres, flat roofs only
   double parapet_width = 0.25;
-  /// Which edges become gables where their roof face is a triangular hip end; null: all. Over a
-  /// quadrilateral either pair of opposite edges can, the short one if both may.
-  std::function<bool(uint32_t edge)> gables;
+  std::optional<uint32_t> ridge;  ///< edge that the ridge runs along; without: the longest
+  /// A flag for each edge: ends that are gables, and that stay hips, whatever the kind says. Where
+  /// `gables` are given the other ends of gable, gambrel and cross_gable roofs are hips. Only ends
+  /// whose face is a triangle can be gables; of a quadrilateral either pair of opposite edges.
+  std::optional<std::vector<char>> gables, hips;
 };
 
 /// A planar face: `loop` is counter-clockwise seen from outside in (u, v, up); its first edge is
@@ -40,13 +64,20 @@ struct RoofFace {
 };
 
 struct Roof {
-  std::vector<RoofFace> faces;  ///< in the order of the polygon's edges
-  int fallback = 1;             ///< rung of the ladder that made it: 1 as asked ... 6 flat
+  std::vector<RoofFace> faces;  ///< those of skeleton roofs in the order of the polygon's edges
+  /// Rung of the ladder that made it: 1 as asked, 2 to 4 on a footprint coarser by centimetres, 5
+  /// one ridge over the whole, 6 flat.
+  int fallback = 1;
+  /// What was asked and this footprint can not have.
+  bool no_apex = false;   ///< a pyramid's point would not see every wall: a hip roof instead
+  bool no_break = false;  ///< the slopes end below the break: one pitch throughout
+  bool low = false;       ///< `height` is less than the thickness: raised to a slope of 1 degree
 };
 
-/// A roof that stands on `polygon` at up = 0, closed together with walls below. With overhang the
-/// eaves lie outside and below, with soffits and fasciae, and the slopes keep their planes. Never
-/// fails: a footprint without a skeleton gets a flat roof (fallback 6).
+/// A roof that stands on `polygon` at up = 0. With the walls below it is closed, its edges are
+/// shared point by point. With overhang it is a slab `thickness` thick whose underside runs through
+/// the walls' tops; eaves steeper than 55 degrees stand out level, as a cornice. Never fails: a
+/// footprint without a skeleton gets fallback 5 or 6.
 Roof roof(const Polygon& polygon, const RoofOptions& options);
 
 /// Straight skeleton: every edge's face as a loop of (u, v, inset distance), first edge the

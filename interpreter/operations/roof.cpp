@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 
 #include "interpreter/component.hpp"
 #include "interpreter/messages.hpp"
@@ -13,8 +12,8 @@
 namespace mansard {
 namespace {
 
-constexpr std::array<std::string_view, 6> part_words{"slope",  "gable",  "top",
-                                                     "soffit", "fascia", "parapet"};
+constexpr std::array<std::string_view, 8> part_words{"slope",  "gable",   "top",   "soffit",
+                                                     "fascia", "parapet", "lower", "upper"};
 RoofKind kind_of(Context& c, std::string_view word) {
   if (word == "flat") return RoofKind::flat;
   if (word == "hip") return RoofKind::hip;
@@ -144,8 +143,8 @@ void roof(Context& c, std::string_view kind, std::optional<double> pitch,
   need_lying(c);
   const Polygon plan = plan_of(c.machine, c.shape);
   if (gables) {
-    const auto chosen = std::make_shared<std::vector<bool>>(chosen_edges(c, 4, *gables, plan));
-    options.gables = [chosen](uint32_t edge) { return edge < chosen->size() && (*chosen)[edge]; };
+    const std::vector<bool> chosen = chosen_edges(c, 4, *gables, plan);
+    options.gables.emplace(chosen.begin(), chosen.end());
   }
   const Roof made = mansard::roof(plan, options);
   if (made.fallback > 1) ++c.machine.building->roof_fallbacks;
