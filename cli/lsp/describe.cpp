@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <utility>
 
-#include "cli/lsp/known_value.hpp"
 #include "cli/lsp/pages.hpp"
+#include "styles/members.hpp"
 
 namespace mansard::lsp {
 
@@ -41,13 +43,17 @@ Span text_of(const Word& word) {
       word.declares);
 }
 
+/// "(terrace.style:12)"
+std::string file_and_line(View& view, Span at) {
+  return "(" + std::filesystem::path(at.source->name()).filename().string() + ":" +
+         std::to_string(view.range(at).start.line + 1) + ")";
+}
+
 std::string place(View& view, const Word& word) {
-  const Position at = view.range(word.at).start;
-  const auto file = std::filesystem::path(word.at.source->name()).filename().string();
   std::string text = word.style ? "`" + std::string(word.style->name.text) : "`";
   if (word.style && word.block && word.site != Site::block)
     text.append(".").append(word.block->name.text);
-  return text + "` (" + file + ":" + std::to_string(at.line + 1) + ")";
+  return text + "` " + file_and_line(view, word.at);
 }
 
 /// "overrides `Terrace.Tile` (terrace.style:12), …", a style once, not more than a few.
@@ -63,6 +69,67 @@ std::string listing(View& view, std::string_view title, const std::vector<const 
   for (std::size_t i = 0; i < std::min(most, places.size()); ++i)
     text += (i ? ", " : "") + places[i];
   if (places.size() > most) text += " and " + std::to_string(places.size() - most) + " more";
+  return text;
+}
+
+/// "Keeps `@range(0.6, 2)` of `Terrace.Tile` (terrace.style:12)": a child says anew only what is
+/// other, save how often a variable is drawn.
+std::string kept_annotations(View& view, const std::vector<const Word*>& own,
+                             const std::vector<const Word*>& overridden) {
+  std::set<std::string_view> said{"per"};
+  const auto note = [&](const Word& word) {
+    std::string fresh;
+    const syntax::Preamble* const pre = preamble_of(word);
+    if (!pre) return fresh;
+    for (const syntax::Annotation& annotation : pre->annotations) {
+      if (said.insert(annotation.name.text).second)
+        fresh += "`" + std::string(annotation.at.text()) + "` ";
+    }
+    return fresh;
+  };
+  for (const Word* word : own) note(*word);
+  std::string text;
+  for (const Word* word : overridden) {
+    if (const std::string kept = note(*word); !kept.empty())
+      text.append("\n\nKeeps ").append(kept).append("of ").append(place(view, *word));
+  }
+  return text;
+}
+
+bool is_alive(const Writing& writing) {
+  return writing.fate == Fate::in_force || writing.fate == Fate::by_super;
+}
+
+/// "Set by `FLOORS` (terrace.style:31) to `2.6`".
+std::string settings(View& view, const Resolved& resolved, const Story& story) {
+  std::string text;
+  for (const Use& use : story.uses) {
+    if (use.kind != UseKind::sets || !is_alive(resolved.stories().writing(use))) continue;
+    text.append(text.empty() ? "\n\nSet for some shapes by `" : ", `")
+        .append(resolved.stories().speaker(use).full_name() + "` ")
+        .append(file_and_line(view, use.at) + " to `")
+        .append(std::string(use.value.text()) + "`");
+  }
+  return text;
+}
+
+/// What only a style without errors tells: values, who sets them, and where `super` leads.
+std::string resolution(View& view, const Meaning& meaning) {
+  Resolved* const resolved = meaning.style ? view.resolved(*meaning.style) : nullptr;
+  const Story* const story = resolved ? resolved->story(meaning) : nullptr;
+  if (!story) return {};
+  if (meaning.kind == Kind::variable) {
+    const std::string worth = resolved->worth(meaning);
+    return (worth.empty() ? std::string() : "\n\n= " + worth) + settings(view, *resolved, *story);
+  }
+  std::string text;
+  const syntax::Style* last = nullptr;
+  for (const Writing& writing : story->writings) {
+    if (writing.fate != Fate::by_super || std::exchange(last, writing.from.style) == last) continue;
+    text.append(text.empty() ? "\n\n`super` goes on with `" : ", then `")
+        .append(full_name(writing.from.style->name.text, writing.from.block->name.text) + "` ")
+        .append(file_and_line(view, writing.name()));
+  }
   return text;
 }
 
@@ -135,10 +202,11 @@ std::string describe(View& view, const Meaning& meaning) {
   }
   text = code(text);
   if (!docs.empty()) text += "\n\n" + docs;
-  if (const auto value = known_value(meanings, meaning)) text += "\n\n= " + *value;
+  text += resolution(view, meaning);
   text += "\n\nGiven by " + place(view, *found.front());
   if (meaning.style && meaning.style != found.front()->style)
     text += ", inherited by `" + std::string(meaning.style->name.text) + "`";
+  if (meaning.kind == Kind::variable) text += kept_annotations(view, found, overridden);
   text += listing(view, "Overrides", overridden);
   text += listing(view, "Overridden by", meanings.overriding(meaning));
   return text;

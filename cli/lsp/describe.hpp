@@ -1,5 +1,5 @@
 // What there is to say of a member of a style: Markdown with its documentation, the text in force,
-// who gave it, what it overrides and who overrides it.
+// what that is worth, who gave it, what it overrides and who overrides it.
 #pragma once
 
 #include <string>

@@ -66,6 +66,13 @@ const Meanings& View::meanings() {
   return *meanings_;
 }
 
+Resolved* View::resolved(const syntax::Style& style) {
+  if (has_syntax_errors()) return nullptr;
+  const auto [kept, fresh] = resolved_.try_emplace(&style);
+  if (fresh) kept->second = Resolved::of(library_, style);
+  return kept->second.get();
+}
+
 const Diagnostics& View::checked(MeshSource& meshes) {
   if (checked_) return *checked_;
   checked_ = reading_;

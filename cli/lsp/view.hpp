@@ -11,6 +11,7 @@
 #include "cli/lsp/documents.hpp"
 #include "cli/lsp/meaning.hpp"
 #include "cli/lsp/positions.hpp"
+#include "cli/lsp/resolved.hpp"
 #include "grammar/diagnostic.hpp"
 #include "interpreter/program.hpp"
 #include "styles/library.hpp"
@@ -57,6 +58,9 @@ class View {
   const Word* word_at(const syntax::File& file, uint32_t offset);
   const Meanings& meanings();
 
+  /// Null while the script has syntax errors, or the style others.
+  Resolved* resolved(const syntax::Style& style);
+
   /// What `mansard check` says.
   const Diagnostics& checked(MeshSource& meshes);
   bool is_checked() const { return checked_.has_value(); }
@@ -75,6 +79,7 @@ class View {
   std::unique_ptr<Meanings> meanings_;
   std::unordered_map<std::string, const syntax::File*> by_identity_;
   std::unordered_map<const Source*, Lines> lines_;
+  std::unordered_map<const syntax::Style*, std::unique_ptr<Resolved>> resolved_;
   std::optional<Diagnostics> checked_;
 };
 

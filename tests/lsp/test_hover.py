@@ -3,6 +3,36 @@ import client
 from client import Case, stretch
 from scripts import ALL, HOUSE
 
+VALUES = '''style Base {
+    var Storeys = attr("levels", 3)
+    var Brick = "#a04030"
+    Tile {
+        /// How wide the glass is.
+        @range(0.4, 2) @unit("m") var Width = 1.2
+        var Glass = Width * 2
+        var Pitch = rand(30, 45)
+        var Twice = Pitch * 2
+        @per("shape") var Depth = rand(0.1, 0.2)
+        var Share = W / 3
+        var Tall = rand(2, 3) * Storeys
+        abstract var Colour
+        var Hue = Colour
+        var Bad = [1, 2][Storeys * 9]
+        var Both = [Brick, "tan"]
+        var Gap = 0.1
+        FOOTPRINT -> extrude(Tall) { ROW }
+    }
+}
+style Heir : Base {
+    Tile {
+        var Width = 0.6
+        var Colour = "tan"
+        ROW -> set(Tile.Width, 0.3) extrude(Glass + Gap)
+    }
+    Facade { EDGE -> extrude(Tile.Glass) }
+}
+'''
+
 
 class Hover(Case):
     def setUp(self):
@@ -28,15 +58,70 @@ class Hover(Case):
         self.assertEqual(found["range"], stretch(HOUSE, "Height", 1))
         self.assertEqual(found["contents"]["value"],
                          '```style\n@range(3, 30)\nvar Height = attr("height", 6)\n```\n\n'
-                         "How high the walls are.\n\nGiven by `House` (house.style:5)")
+                         "How high the walls are.\n\n"
+                         "= `6` where the footprint has no properties that say otherwise\n\n"
+                         "Given by `House` (house.style:5)")
 
     def test_a_value_is_worked_out_late_bound(self):
-        self.assertIn("\n\n= 1.2\n\nGiven by `House.Facade` (house.style:12), inherited by "
+        self.assertIn("\n\n= `1.2`\n\nGiven by `House.Facade` (house.style:12), inherited by "
                       "`Narrow`", self.hover("narrow.style", "Half"))
         self.write(wide='import "house.style"\nstyle Wide : House { Facade { var Axis = 5\n'
                         'X -> extrude(Half) } }')
         self.open("wide.style")
-        self.assertIn("\n\n= 2.5\n\n", self.hover("wide.style", "Half"))
+        self.assertIn("\n\n= `2.5`\n\n", self.hover("wide.style", "Half"))
+
+    def valued(self):
+        self.write(values=VALUES)
+        self.open("values.style")
+        return lambda needle, number=0: self.hover("values.style", needle, number)
+
+    def test_where_a_value_comes_from(self):
+        """Wherever it is spoken of, a variable is worth what the style at hand makes of it."""
+        hover = self.valued()
+        head = "```style\nvar Glass = Width * 2\n```\n\n"
+        self.assertEqual(hover("Glass = "),
+                         head + "= `2.4`\n\nGiven by `Base.Tile` (values.style:7)")
+        inherited = head + "= `1.2`\n\nGiven by `Base.Tile` (values.style:7), inherited by `Heir`"
+        self.assertEqual(hover("Glass + "), inherited)
+        self.assertEqual(hover("Glass)"), inherited)  # Tile.Glass, from another block
+        self.assertEqual(hover("Width = 0.6"),
+                         "```style\nvar Width = 0.6\n```\n\nHow wide the glass is.\n\n"
+                         "Set for some shapes by `ROW` (values.style:25) to `0.3`\n\n"
+                         "Given by `Heir.Tile` (values.style:23)\n\n"
+                         'Keeps `@range(0.4, 2)` `@unit("m")` of `Base.Tile` (values.style:6)\n\n'
+                         "Overrides `Base.Tile` (values.style:6)")
+
+    def test_values_that_no_script_decides(self):
+        hover = self.valued()
+        for needle, worth in (
+                ("Pitch", "drawn once a building, by its seed"),
+                ("Twice", "drawn once a building, by its seed"),
+                ("Depth", "drawn, another value for each shape"),
+                ("Share", "another value for each shape"),
+                ("Storeys", "`3` where the footprint has no properties that say otherwise"),
+                ("Tall", "drawn once a building, by its seed, and depends on the footprint"),
+                ("Hue = ", "no value yet: it waits for what a child has to give"),
+                ("Bad", "no value where the footprint has no properties: "
+                        "no item 27 in a list of 2"),
+                ("Both", '`["#a04030", "tan"]`'),
+                ("Brick", None), ("Gap", None)):
+            text = hover(needle)
+            found = [line[2:] for line in text.split("\n") if line.startswith("= ")]
+            self.assertEqual(found, [worth] if worth else [], f"{needle}: {text}")
+
+    def test_no_value_while_the_style_has_errors(self):
+        self.write(broken="style A { B { var W = 1 var V = W * 2\n"
+                          "FOOTPRINT -> extrude(V + Nix) } }\n"
+                          "style C { B { var U = 1 + 1\nFOOTPRINT -> extrude(U) } }")
+        self.open("broken.style")
+        self.assertEqual(self.hover("broken.style", "V ="),
+                         "```style\nvar V = W * 2\n```\n\nGiven by `A.B` (broken.style:1)")
+        self.assertIn("= `2`", self.hover("broken.style", "U)"))
+
+    def test_where_super_leads(self):
+        text = self.hover("narrow.style", "TILE ->")
+        self.assertIn("\n\n`super` goes on with `House.Tile` (house.style:19)\n\n"
+                      "Given by `Narrow.Tile` (narrow.style:6)", text)
 
     def test_a_symbol_with_its_rules(self):
         text = self.hover("house.style", "FACADE")
