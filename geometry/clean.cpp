@@ -8,24 +8,28 @@ namespace {
 
 struct Corner {
   Vec2 point;
-  EdgeTag tag;        // of the longest part of the edge that starts here
-  uint32_t edge = 0;  // its number in the original
-  double longest = 0;
+  uint32_t number;  // of the point in the original
 };
-using Ring = std::vector<Corner>;
 
-Ring corners_of(const Polygon& polygon, std::size_t r) {
-  Ring ring;
-  const uint32_t begin = polygon.ring_begin(r), end = polygon.ring_ends[r];
-  for (uint32_t i = begin; i < end; ++i) {
-    const Vec2 p = polygon.points[i], q = polygon.points[i + 1 == end ? begin : i + 1];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return {};
-    ring.push_back({p, polygon.tags[i], i, length(q - p)});
-  }
+// A ring on its way, and which original edges turned out to be sides of spikes.
+struct Ring {
+  std::vector<Corner> corners;
+  uint32_t begin, end;  // its points in the original
+  std::vector<char>& spikes;
+};
+
+bool finite(const Polygon& polygon) {
+  return std::all_of(polygon.points.begin(), polygon.points.end(),
+                     [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+Ring ring_of(const Polygon& polygon, std::size_t r, std::vector<char>& spikes) {
+  Ring ring{{}, polygon.ring_begin(r), polygon.ring_ends[r], spikes};
+  for (uint32_t i = ring.begin; i < ring.end; ++i) ring.corners.push_back({polygon.points[i], i});
   return ring;
 }
 
-double signed_area(const Ring& ring) {
+double signed_area(const std::vector<Corner>& ring) {
   double twice = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     twice +=
@@ -34,38 +38,12 @@ double signed_area(const Ring& ring) {
   return twice / 2;
 }
 
-// The edge that starts at `into` takes over the one that started at `dropped`.
-void merge(Corner& into, const Corner& dropped) {
-  if (dropped.longest <= into.longest) return;
-  into.tag = dropped.tag;
-  into.edge = dropped.edge;
-  into.longest = dropped.longest;
-}
-
-// Reversed rings: edge i then starts where it ended.
-void reverse(Ring& ring) {
-  Ring turned;
-  for (std::size_t i = ring.size(); i-- > 0;) {
-    Corner c = ring[i];
-    c.point = ring[(i + 1) % ring.size()].point;
-    turned.push_back(c);
-  }
-  ring = std::move(turned);
-}
-
-void drop_near(Ring& ring, double near) {
-  Ring kept;
+void drop_near(std::vector<Corner>& ring, double near) {
+  std::vector<Corner> kept;
   for (const Corner& c : ring) {
-    if (!kept.empty() && length(c.point - kept.back().point) < near) {
-      merge(kept.back(), c);
-    } else {
-      kept.push_back(c);
-    }
+    if (kept.empty() || length(c.point - kept.back().point) >= near) kept.push_back(c);
   }
-  while (kept.size() > 1 && length(kept.back().point - kept.front().point) < near) {
-    merge(kept[kept.size() - 2], kept.back());
-    kept.pop_back();
-  }
+  while (kept.size() > 1 && length(kept.back().point - kept.front().point) < near) kept.pop_back();
   ring = std::move(kept);
 }
 
@@ -76,16 +54,39 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return length(p - (a + d * t));
 }
 
+// Of the spike a-b-c what a-c does not replace.
+void mark_spike(const Ring& ring, const Polygon& original, const Corner& a, const Corner& b,
+                const Corner& c, double near) {
+  const Vec2 along = normalized(c.point - a.point);
+  const bool there = length(b.point - a.point) > length(c.point - b.point);
+  const auto mark = [&](const Corner& from, const Corner& to, bool stays) {
+    for (uint32_t i = from.number; i != to.number;) {
+      const uint32_t next = i + 1 == ring.end ? ring.begin : i + 1;
+      const double reach = std::max(dot(original.points[i] - a.point, along),
+                                    dot(original.points[next] - a.point, along));
+      const double start = std::min(dot(original.points[i] - a.point, along),
+                                    dot(original.points[next] - a.point, along));
+      const double end = length(c.point - a.point);
+      if (!stays || std::min(reach, end) - std::max(start, 0.0) < near) ring.spikes[i] = 1;
+      i = next;
+    }
+  };
+  mark(a, b, there);
+  mark(b, c, !there);
+}
+
 // Drops what lies on the line through its neighbours, forwards (a collinear point) or backwards
 // (the tip of a spike), as long as everything dropped before stays within the tolerance too.
-void drop_flat(Ring& ring, double flat) {
+void drop_flat(Ring& whole, const Polygon& original, const CleanTolerance& tolerance) {
+  std::vector<Corner>& ring = whole.corners;
+  const double flat = tolerance.flat;
   std::vector<std::vector<Vec2>> gone(ring.size());  // dropped points along each edge
   bool again = true;
   while (again && ring.size() > 2) {
     again = false;
     for (std::size_t i = 0; i < ring.size() && ring.size() > 2;) {
-      const std::size_t n = ring.size(), before = (i + n - 1) % n;
-      const Vec2 a = ring[before].point, b = ring[i].point, c = ring[(i + 1) % n].point;
+      const std::size_t n = ring.size(), before = (i + n - 1) % n, after = (i + 1) % n;
+      const Vec2 a = ring[before].point, b = ring[i].point, c = ring[after].point;
       const bool spike = dot(b - a, c - b) < 0 && std::min(distance_to_segment(c, a, b),
                                                            distance_to_segment(a, b, c)) < flat;
       const auto fits = [&](Vec2 p) { return distance_to_segment(p, a, c) < flat; };
@@ -96,10 +97,11 @@ void drop_flat(Ring& ring, double flat) {
         ++i;
         continue;
       }
-      merge(ring[before], ring[i]);
       if (collinear) {
         gone[before].push_back(b);
         gone[before].insert(gone[before].end(), gone[i].begin(), gone[i].end());
+      } else {
+        mark_spike(whole, original, ring[before], ring[i], ring[after], tolerance.near);
       }
       ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
       gone.erase(gone.begin() + static_cast<std::ptrdiff_t>(i));
@@ -108,23 +110,56 @@ void drop_flat(Ring& ring, double flat) {
   }
 }
 
-bool clean_ring(Ring& ring, const CleanTolerance& tolerance, bool hole) {
-  drop_near(ring, tolerance.near);
-  drop_flat(ring, tolerance.flat);
-  drop_near(ring, tolerance.near);  // a spike's two sides end in one point
-  if (ring.size() < 3) return false;
-  const double area = signed_area(ring);
+bool clean_ring(Ring& ring, const Polygon& original, const CleanTolerance& tolerance, bool hole) {
+  drop_near(ring.corners, tolerance.near);
+  drop_flat(ring, original, tolerance);
+  drop_near(ring.corners, tolerance.near);  // a spike's two sides end in one point
+  if (ring.corners.size() < 3) return false;
+  const double area = signed_area(ring.corners);
   if (!(std::abs(area) > (hole ? tolerance.hole : 1e-6))) return false;
-  if ((area < 0) != hole) reverse(ring);
+  if ((area < 0) != hole) std::reverse(ring.corners.begin(), ring.corners.end());
   return true;
 }
 
 void add_ring(Cleaned& cleaned, const Ring& ring) {
-  for (const Corner& c : ring) {
-    cleaned.polygon.add_point(c.point, c.tag);
-    cleaned.edges.push_back(c.edge);
+  for (const Corner& c : ring.corners) {
+    cleaned.polygon.add_point(c.point);
+    cleaned.points.push_back(c.number);
   }
   cleaned.polygon.close_ring();
+}
+
+// Which edge each original edge became part of, and the longest part of each edge.
+void map_edges(Cleaned& cleaned, const Polygon& original, const std::vector<char>& spikes) {
+  cleaned.edge_of.assign(original.points.size(), Cleaned::no_edge);
+  cleaned.edges = cleaned.points;
+  std::vector<double> longest(cleaned.points.size(), -1);
+  std::size_t ring = 0;
+  for (std::size_t r = 0; r < cleaned.polygon.rings(); ++r) {
+    const uint32_t begin = cleaned.polygon.ring_begin(r), end = cleaned.polygon.ring_ends[r];
+    while (original.ring_ends[ring] <= cleaned.points[begin]) ++ring;
+    const uint32_t first = original.ring_begin(ring), last = original.ring_ends[ring];
+    // Numbers go down instead of up in rings that were turned round.
+    int descents = 0;
+    for (uint32_t i = begin; i < end; ++i) {
+      descents += cleaned.points[i + 1 == end ? begin : i + 1] < cleaned.points[i];
+    }
+    for (uint32_t i = begin; i < end; ++i) {
+      uint32_t from = cleaned.points[i], to = cleaned.points[i + 1 == end ? begin : i + 1];
+      if (descents > 1) std::swap(from, to);
+      for (uint32_t e = from; e != to;) {
+        const uint32_t next = e + 1 == last ? first : e + 1;
+        const double size = length(original.points[next] - original.points[e]);
+        if (!spikes[e]) cleaned.edge_of[e] = i;
+        if (!spikes[e] && size > longest[i]) {
+          longest[i] = size;
+          cleaned.edges[i] = e;
+        }
+        e = next;
+      }
+      cleaned.polygon.tags[i] = original.tags[cleaned.edges[i]];
+    }
+  }
 }
 
 bool inside(Vec2 p, std::span<const Vec2> ring) {
@@ -155,7 +190,7 @@ void drop_stray_holes(Cleaned& cleaned) {
     if (stray) continue;
     for (uint32_t i = old.ring_begin(r); i < old.ring_ends[r]; ++i) {
       kept.polygon.add_point(old.points[i], old.tags[i]);
-      kept.edges.push_back(cleaned.edges[i]);
+      kept.points.push_back(cleaned.points[i]);
     }
     kept.polygon.close_ring();
   }
@@ -222,10 +257,12 @@ void move_apart(Polygon& polygon, const std::vector<Contact>& touching, double p
 std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& tolerance) {
   constexpr std::size_t hopeless = 20000;  // points: it would take seconds, and then be refused
   if (polygon.points.size() > hopeless) return std::nullopt;
+  if (!finite(polygon)) return std::nullopt;
   Cleaned cleaned;
+  std::vector<char> spikes(polygon.points.size(), 0);
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
-    Ring ring = corners_of(polygon, r);
-    if (clean_ring(ring, tolerance, r > 0)) {
+    Ring ring = ring_of(polygon, r, spikes);
+    if (clean_ring(ring, polygon, tolerance, r > 0)) {
       add_ring(cleaned, ring);
     } else if (r == 0) {
       return std::nullopt;
@@ -235,6 +272,7 @@ std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& toler
     return std::nullopt;
   }
   if (cleaned.polygon.rings() > 1) drop_stray_holes(cleaned);
+  map_edges(cleaned, polygon, spikes);
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::vector<Contact> touching = contacts(cleaned.polygon, tolerance.gap);
     if (touching.empty()) return cleaned;

@@ -58,9 +58,13 @@ std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, double jitt
 /// The first rung of the ladder that gives a checked skeleton, with the polygon it stands on.
 struct SkeletonOn {
   SkeletonMesh mesh;
-  Polygon polygon;              ///< cleaned
-  std::vector<uint32_t> edges;  ///< number of the original edge for each edge of `polygon`
-  int fallback = 1;
+  Polygon polygon;               ///< cleaned
+  std::vector<uint32_t> points;  ///< these three as in Cleaned
+  std::vector<uint32_t> edges;
+  std::vector<uint32_t> edge_of;
+  bool moved = false;  ///< corners have not the coordinates of their original points
+  int fallback = 1;    ///< 1 as asked, 2 moved by millimetres or where it touched itself,
+                       ///< 3 simplified by centimetres
   std::optional<uint32_t> quad_first;  ///< QuadSkeleton::first, where it is one
 };
 std::optional<SkeletonOn> best_skeleton(const Polygon& polygon);

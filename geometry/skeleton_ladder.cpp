@@ -1,6 +1,7 @@
 // The ladder of fallbacks: as asked, then coarser polygons, which lose details of centimetres.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "geometry/clean.hpp"
 #include "geometry/roof.hpp"
@@ -11,29 +12,52 @@ namespace {
 
 // Time grows with the square of the number of points, so each rung has a limit of them.
 struct Rung {
+  double grid;  // metres, in the frame of the longest wall; 0: none
   CleanTolerance tolerance;
   double jitter;
   int fallback;
 };
 
 constexpr std::array rungs{
-    Rung{{1e-4, 1e-4, 1e-3, 2e-6, 0.02, 400}, 1e-6, 1},
-    Rung{{0.01, 0.005, 0.05, 1e-4, 0.02, 600}, 1e-5, 2},
-    Rung{{0.02, 0.02, 1, 0.005, 0.03, 600}, 1e-5, 3},
-    Rung{{0.05, 0.05, 1, 0.01, 0.06, 800}, 1e-5, 3},
-    Rung{{0.2, 0.2, 4, 0.02, 0.1, 1200}, 1e-5, 3},
+    Rung{0, {1e-5, 1e-5, 1e-6, 2e-6, 0.02, 400}, 1e-6, 1},
+    Rung{1e-3, {5e-4, 5e-4, 1e-3, 1e-4, 0.02, 600}, 1e-5, 2},
+    Rung{0, {0.01, 0.005, 0.05, 1e-4, 0.02, 600}, 1e-5, 3},
+    Rung{0, {0.02, 0.02, 1, 0.005, 0.03, 600}, 1e-5, 3},
+    Rung{0, {0.05, 0.05, 1, 0.01, 0.06, 800}, 1e-5, 3},
+    Rung{0, {0.2, 0.2, 4, 0.02, 0.1, 1200}, 1e-5, 3},
 };
+
+// Rounds to a grid along the longest wall.
+Polygon snapped(const Polygon& polygon, double grid) {
+  Vec2 longest;
+  for_each_edge(polygon, [&](uint32_t, Vec2 a, Vec2 b) {
+    if (length(b - a) > length(longest)) longest = b - a;
+  });
+  const Vec2 u = normalized(longest), v = left_of(u), origin = polygon.points[0];
+  Polygon result = polygon;
+  for (Vec2& p : result.points) {
+    p = origin + u * (std::round(dot(p - origin, u) / grid) * grid) +
+        v * (std::round(dot(p - origin, v) / grid) * grid);
+  }
+  return result;
+}
 
 }  // namespace
 
 std::optional<SkeletonOn> best_skeleton(const Polygon& polygon) {
   for (const Rung& rung : rungs) {
-    std::optional<Cleaned> cleaned = clean(polygon, rung.tolerance);
+    const bool snaps = rung.grid > 0 && !polygon.empty();
+    std::optional<Cleaned> cleaned =
+        clean(snaps ? snapped(polygon, rung.grid) : polygon, rung.tolerance);
     if (!cleaned) continue;
+    const bool moved = cleaned->moved || snaps;
     SkeletonOn on{{},
                   std::move(cleaned->polygon),
+                  std::move(cleaned->points),
                   std::move(cleaned->edges),
-                  cleaned->moved ? std::max(rung.fallback, 2) : rung.fallback,
+                  std::move(cleaned->edge_of),
+                  moved,
+                  moved ? std::max(rung.fallback, 2) : rung.fallback,
                   {}};
     if (auto quad = quad_skeleton(on.polygon)) {
       on.mesh = std::move(quad->mesh);
