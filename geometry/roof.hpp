@@ -32,8 +32,9 @@ enum class RoofPart : uint8_t { slope, gable, top, soffit, fascia, parapet, lowe
 struct RoofOptions {
   RoofKind kind = RoofKind::hip;
   /// Degrees, 0 < pitch < 90: of every slope; of the lower ones where there are two; of the short
-  /// one of a saltbox, whose other is `upper_pitch`; of a barrel at its eaves.
-  double pitch = 35;
+  /// one of a saltbox, whose other is `upper_pitch`; of a barrel at its eaves. 0: as the
+  /// kind usually has it (35, mansard 70, gambrel and barrel 60, saltbox 45, sawtooth 30, shed 15).
+  double pitch = 0;
   double height = 0;  ///< metres from the walls' top to the highest point; used instead of pitch
   /// Metres, horizontal, beyond the walls: at eaves, and at gables (`verge`; as at the eaves when
   /// negative). Gables over party walls stay flush, the neighbour stands there. Corners go only a
@@ -71,7 +72,7 @@ struct Roof {
   /// What was asked and this footprint can not have.
   bool no_apex = false;   ///< a pyramid's point would not see every wall: a hip roof instead
   bool no_break = false;  ///< the slopes end below the break: one pitch throughout
-  bool low = false;       ///< `height` is less than the thickness: raised to a slope of 1 degree
+  bool low = false;       ///< `height` is less than twice the thickness: a thinner edge instead
 };
 
 /// A roof that stands on `polygon` at up = 0. With the walls below it is closed, its edges are

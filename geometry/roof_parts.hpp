@@ -1,8 +1,6 @@
 // What the kinds of roofs share.
 #pragma once
 
-#include <array>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,12 +24,27 @@ MovedOutline move_outline(const Polygon& polygon, const std::vector<double>& out
 /// The flat roof of any polygon; of one that can not be cleaned, without overhang and parapet.
 Roof flat_roof(const Polygon& polygon, const RoofOptions& options);
 
+/// The kinds that stand on the straight skeleton. nullopt when there is none.
+std::optional<Roof> skeleton_roof(const Polygon& polygon, const RoofOptions& options);
+
+/// The kinds that are swept along a direction, and the single ridge that any footprint can have
+/// (for other kinds; Roof::fallback 5). nullopt when the polygon crosses itself.
+std::optional<Roof> swept_roof(const Polygon& polygon, const RoofOptions& options);
+
+/// Degrees to metres up per metre inwards.
+double rise_of(double pitch);
+/// options.pitch, or what the kind has when that is 0.
+double pitch_of(const RoofOptions& options);
+/// Metres: the thickness of the roof's edge; 0 without an overhang, at most half of `height`.
+double thickness_of(const RoofOptions& options);
+/// Metres that gables stand out.
+inline double verge_of(const RoofOptions& options) {
+  return options.verge < 0 || options.overhang <= 0 ? options.overhang : options.verge;
+}
+/// The pitch from which eaves stand out level.
+inline constexpr double steep_eaves = 55;  // degrees
+
 /// Where the ridge between the slopes of two walls runs through the vertical plane of a third.
 std::optional<Vec3> ridge_above(const WallLine& left, const WallLine& right, const WallLine& wall);
-
-/// Moves the tips of triangular hip ends along their ridges into the plane of the wall, where
-/// `allowed(edge of on.polygon)`; of a quadrilateral either pair of opposite edges will do. Returns
-/// a flag for each edge: is a gable.
-std::vector<char> make_gables(SkeletonOn& on, const std::function<bool(uint32_t)>& allowed);
 
 }  // namespace mansard

@@ -55,8 +55,10 @@ std::string broken_face(const Roof& roof, double flatness) {
     if (face.part == RoofPart::slope && normal.z <= 0) return "a slope looks down";
     if (face.part == RoofPart::soffit && normal.z >= 0) return "a soffit looks up";
     if (face.part == RoofPart::top && normal.z < 0.999) return "a top is not level";
-    if (face.part == RoofPart::gable || face.part == RoofPart::fascia) {
-      if (std::abs(normal.z) > 1e-6) return "a gable or fascia is not upright";
+    if (face.part == RoofPart::gable && std::abs(normal.z) > 1e-4) return "a gable is not upright";
+    const bool level = normal.z > 1 - 1e-6;  // the upper side of a cornice
+    if (face.part == RoofPart::fascia && std::abs(normal.z) > 1e-6 && !level) {
+      return "a fascia is neither upright nor level";
     }
   }
   return {};
@@ -105,7 +107,8 @@ std::string open_edge(const Roof& roof, const Polygon& polygon, double tolerance
 std::string wrong_pitch(const Roof& roof, double pitch) {
   const double rise = std::tan(pitch * std::numbers::pi / 180);
   for (const RoofFace& face : roof.faces) {
-    if (face.part != RoofPart::slope) continue;
+    const bool ledge = normalized(area_vector(face)).z > 1 - 1e-9;
+    if (face.part != RoofPart::slope || ledge) continue;
     const Vec3 a = face.loop[0], b = face.loop[1];
     const Vec2 inwards = left_of(normalized(Vec2{b.x - a.x, b.y - a.y}));
     for (const Vec3 p : face.loop) {
@@ -120,14 +123,19 @@ double tolerance_of(const Roof& roof) {
   return std::array{1e-3, 0.06, 0.5}[static_cast<std::size_t>(std::min(roof.fallback, 3)) - 1];
 }
 
+bool one_pitch(RoofKind kind) {
+  return kind == RoofKind::hip || kind == RoofKind::gable || kind == RoofKind::half_hip ||
+         kind == RoofKind::dutch_hip;
+}
+
 // The first law that the roof breaks, or nothing.
 std::string broken_law(const Polygon& polygon, const RoofOptions& options, double flatness) {
   const Roof made = roof(polygon, options);
-  if (made.fallback == 6 || !clean(polygon, {})) return {};
+  if (made.fallback >= 5 || !clean(polygon, {})) return {};
   const double tolerance = tolerance_of(made), whole = area(polygon);
   if (std::string why = broken_face(made, flatness); !why.empty()) return why;
   if (std::string why = open_edge(made, polygon, tolerance); !why.empty()) return why;
-  if (options.kind != RoofKind::flat && options.height == 0) {
+  if (one_pitch(options.kind) && options.height == 0) {
     if (std::string why = wrong_pitch(made, options.pitch); !why.empty()) return why;
   }
   Vec3 sum;
@@ -138,19 +146,27 @@ std::string broken_law(const Polygon& polygon, const RoofOptions& options, doubl
   return {};
 }
 
+constexpr std::array kinds{RoofKind::hip,      RoofKind::gable,       RoofKind::flat,
+                           RoofKind::half_hip, RoofKind::dutch_hip,   RoofKind::pyramid,
+                           RoofKind::shed,     RoofKind::mansard,     RoofKind::gambrel,
+                           RoofKind::saltbox,  RoofKind::cross_gable, RoofKind::sawtooth,
+                           RoofKind::barrel};
+
+// Every kind without and with an overhang; some by height, some with verges of their own.
 std::vector<RoofOptions> all_kinds() {
   std::vector<RoofOptions> all;
-  for (const RoofKind kind : {RoofKind::hip, RoofKind::gable, RoofKind::flat}) {
+  for (const RoofKind kind : kinds) {
     for (const double overhang : {0.0, 0.4}) {
       RoofOptions options;
       options.kind = kind;
       options.overhang = overhang;
-      options.pitch = 40;
+      if (one_pitch(kind)) options.pitch = 40;
+      if (kind == RoofKind::flat && overhang > 0) options.parapet = 0.8;
+      if (kind == RoofKind::gable && overhang == 0) options.height = 3;
+      if (kind == RoofKind::half_hip) options.verge = 0.1;
       all.push_back(options);
     }
   }
-  all.back().parapet = 0.8;
-  all[2].height = 3;
   return all;
 }
 
@@ -323,7 +339,8 @@ TEST_CASE("roofs over real footprints obey every law") {
   for (const Named& named : footprints) {
     for (const RoofOptions& options : all_kinds()) {
       const std::string why = broken_law(named.polygon, options, 1e-3);
-      if (!why.empty() && ++broken[why] < 6) {
+      const std::string which = why + ", kind " + std::to_string(static_cast<int>(options.kind));
+      if (!why.empty() && ++broken[which] < 4) {
         MESSAGE(named.name << " kind " << static_cast<int>(options.kind) << " overhang "
                            << options.overhang << ": " << why);
       }

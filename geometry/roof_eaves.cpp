@@ -1,0 +1,66 @@
+// The overhang: outer nodes, on the planes of the slopes beyond the walls.
+#include <algorithm>
+
+#include "geometry/roof_parts.hpp"
+#include "geometry/roof_plan.hpp"
+
+namespace mansard {
+namespace {
+
+bool over_gable(const RoofPlan& plan, uint32_t e) {
+  return plan.ends[e] == RoofEnd::gable || plan.ends[e] == RoofEnd::half_hip;
+}
+
+// How far the roof goes beyond each wall. A gable towards a neighbour ends flush, since the
+// neighbour stands there.
+std::vector<double> reaches(const RoofPlan& plan, const RoofOptions& options) {
+  std::vector<double> reach(plan.edges(), options.overhang);
+  for (uint32_t e = 0; e < plan.edges(); ++e) {
+    if (!over_gable(plan, e)) continue;
+    const bool flush = plan.footprint->tags[e].has(EdgeTag::party);
+    reach[e] = flush ? 0 : verge_of(options);
+  }
+  return reach;
+}
+
+// The point on a slope's plane where the leaning top of a half hip has its eave.
+void move_half_hip(RoofPlan& plan, uint32_t e, double by) {
+  const std::vector<uint32_t>& border = plan.borders[e];
+  const WallLine& wall = plan.lines[e];
+  const auto move = [&](uint32_t node, const WallLine& slope) {
+    const Vec3 p = plan.nodes[node].wall;
+    const double determinant = cross(wall.normal, slope.normal);
+    const double a = -by - wall.c, b = p.z - by - slope.c;
+    plan.nodes[node].outer = {(a * slope.normal.y - b * wall.normal.y) / determinant,
+                              (wall.normal.x * b - slope.normal.x * a) / determinant, p.z - by};
+  };
+  move(border[1], plan.lines[plan.before[e]]);
+  move(border[2], plan.lines[plan.next[e]]);
+}
+
+}  // namespace
+
+void move_eaves(RoofPlan& plan, const RoofOptions& options) {
+  const std::vector<double> reach = reaches(plan, options);
+  const MovedOutline outline = move_outline(*plan.footprint, reach);
+  for (uint32_t i = 0; i < plan.edges(); ++i) {
+    if (outline.shares[i] == 0) continue;
+    const Vec2 p = outline.points[i];
+    const uint32_t slope = over_gable(plan, i) ? plan.before[i] : i;
+    plan.nodes[i].outer = {p.x, p.y, plan.lines[slope].distance(p)};
+  }
+  for (uint32_t e = 0; e < plan.edges(); ++e) {
+    if (!over_gable(plan, e) || reach[e] == 0) continue;
+    const double by = reach[e] * std::min(outline.shares[e], outline.shares[plan.next[e]]);
+    if (plan.ends[e] == RoofEnd::half_hip) {
+      move_half_hip(plan, e, by);
+      continue;
+    }
+    WallLine plane = plan.lines[e];
+    plane.c += by;
+    const auto tip = ridge_above(plan.lines[plan.before[e]], plan.lines[plan.next[e]], plane);
+    if (tip) plan.nodes[plan.borders[e][1]].outer = *tip;
+  }
+}
+
+}  // namespace mansard
