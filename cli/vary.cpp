@@ -1,6 +1,7 @@
 // mansard vary
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "cli/derive_all.hpp"
@@ -11,6 +12,7 @@
 #include "cli/vary_axes.hpp"
 #include "cli/vary_export.hpp"
 #include "grammar/utf8.hpp"
+#include "interpreter/properties.hpp"
 #include "render/sheet.hpp"
 
 namespace mansard {
@@ -58,6 +60,7 @@ class Vary {
   void fail(Cell& cell, Diagnostic diagnostic);
   void derive_program(const Program& program, const Child& child, Cell& cell);
   void note_stronger(const Program& program);
+  void note_misnamed(const Program& program);
   void note_alike() const;
   void draw();
 
@@ -73,6 +76,7 @@ class Vary {
   std::vector<Cell> cells_;
   std::size_t failed_ = 0;
   bool interrupted_ = false, told_stronger_ = false;
+  std::optional<std::vector<Diagnostic>> misnamed_;  ///< properties, in all styles so far
   Said said_;
 };
 
@@ -89,6 +93,7 @@ int Vary::run() {
       progress.step();
     }
   }
+  if (misnamed_) std::ranges::for_each(*misnamed_, [&](const auto& d) { session_.print(d); });
   note_alike();
   draw();
   if (export_)
@@ -157,6 +162,7 @@ bool Vary::derive_cell(std::size_t number) {
   const Child& child = children_[number];
   if (const auto program = compiled(child, cell)) {
     note_stronger(*program);
+    note_misnamed(*program);
     derive_program(*program, child, cell);
   }
   if (interrupted_) session_.say("interrupted: nothing was written");
@@ -230,6 +236,15 @@ void Vary::note_stronger(const Program& program) {
                  (is_set ? "set() in a rule" : "a footprint's property") +
                  ", which is stronger than what a style says");
   }
+}
+
+/// A property may be for another of the styles.
+void Vary::note_misnamed(const Program& program) {
+  const std::vector<Diagnostic> found = misnamed_properties(program, set_.footprints);
+  if (!misnamed_) misnamed_ = found;
+  std::erase_if(*misnamed_, [&](const Diagnostic& d) {
+    return std::ranges::find(found, d.text, &Diagnostic::text) == found.end();
+  });
 }
 
 void Vary::note_alike() const {

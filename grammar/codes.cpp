@@ -196,6 +196,14 @@ the style. This one fits no variable, so it changes nothing.
     "properties": { "Tile.WindwoWidth": 1.2 }              // Tile.WindowWidth
 
 Correct it in the data or in --attr.)"},
+    CodePage{
+        "W022", "A style that may be asked for is not loaded.",
+        R"(style(…) derives under the style of this name, and the script itself gives a name that no loaded style
+has: as the default of a property, or as what a condition or a draw chooses. Deriving fails where it is asked for.
+
+    FOOTPRINT -> style(attr("style", "Terace"))::FOOTPRINT // Terrace
+
+Correct it, or import the file that holds the style. A default of "" says that there is none.)"},
 };
 
 }  // namespace

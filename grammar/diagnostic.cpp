@@ -50,7 +50,10 @@ void Diagnostics::sort() {
   std::map<const Source*, std::size_t> order;
   for (const Diagnostic& d : all_) order.emplace(d.at.source, order.size());
   std::stable_sort(all_.begin(), all_.end(), [&](const Diagnostic& a, const Diagnostic& b) {
-    return std::tuple(order[a.at.source], a.at.begin) < std::tuple(order[b.at.source], b.at.begin);
+    const auto key = [&](const Diagnostic& d) {
+      return std::tuple(order[d.at.source], d.at.begin, d.severity, d.at.end);
+    };
+    return key(a) < key(b);
   });
 }
 

@@ -48,7 +48,8 @@ class Diagnostics {
   bool has_errors() const { return errors_ > 0; }
   std::size_t errors() const { return errors_; }
   std::span<const Diagnostic> all() const { return all_; }
-  /// By file in order of first appearance, then by position.
+  /// By file in order of first appearance, then by position; at one place errors first, and what
+  /// speaks of fewer words, which is the cause of what is wrong with more.
   void sort();
 
  private:

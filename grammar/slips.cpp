@@ -124,7 +124,18 @@ constexpr std::array slips{
 constexpr const char* condition_help =
     "a condition stands behind a ':' in the head of a rule: NAME : condition -> …";
 
+/// `override DOOR : …` in Elements.
+std::string marked_entry(const Stuck& stuck) {
+  if (stuck.level != Level::elements && stuck.level != Level::materials) return {};
+  if (stuck.found != "override" && stuck.found != "final") return {};
+  const std::size_t next = stuck.text.find_first_not_of(" \t\r\n", stuck.at + stuck.found.size());
+  if (next == stuck.text.npos || !Reading::is_word(stuck.text[next])) return {};
+  return "no entry is marked " + in_quotes(stuck.found) +
+         ": 'NAME :' takes the place of what is inherited, 'NAME +' adds to it";
+}
+
 std::string foreign_word(const Stuck& stuck) {
+  if (std::string help = marked_entry(stuck); !help.empty()) return help;
   for (const Slip& slip : slips) {
     const std::string_view found = stuck.found.substr(0, slip.found.size());
     const bool same = slip.found == "→" ? found == slip.found : stuck.found == slip.found;

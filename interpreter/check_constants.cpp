@@ -1,6 +1,7 @@
 // Constant arguments that are wrong for every shape, so that nobody has to derive one to hear of
 // it.
 #include <algorithm>
+#include <span>
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
@@ -32,17 +33,51 @@ void Compiler::check_constants() {
   }
 }
 
+std::string Compiler::style_meant(std::string_view name) const {
+  std::vector<std::string_view> names;
+  for (const syntax::Style* style : library_.styles()) names.push_back(style->name.text);
+  const std::string help = meant(name, names);
+  return help.empty() ? "import the file that holds it" : help;
+}
+
 /// `style("Terrace")::FOOTPRINT`.
 void Compiler::check_style_named(ExprId id) {
   const ExprNode& node = program_.nodes[id];
-  if (node.kind != ExprKind::constant) return;
+  if (node.kind != ExprKind::constant) return warn_of_styles(id, 20);
   const Value& value = program_.constants[node.first];
   if (value.type != Type::string || library_.find(value.string())) return;
-  std::vector<std::string_view> names;
-  for (const syntax::Style* style : library_.styles()) names.push_back(style->name.text);
-  const std::string help = meant(value.string(), names);
   refuse(program_.spans[id], "no style '" + std::string(value.string()) + "' is loaded",
-         help.empty() ? "import the file that holds it" : help);
+         style_meant(value.string()));
+}
+
+/// W022: names among which footprints, conditions and draws choose; `""` stands for none.
+void Compiler::warn_of_styles(ExprId id, int levels) {
+  const ExprNode& node = program_.nodes[id];
+  const auto children = std::span(program_.children).subspan(node.children, node.count);
+  if (node.kind == ExprKind::constant) return warn_of_style(program_.constants[node.first]);
+  if (levels == 0) return;
+  if (node.kind == ExprKind::variable)
+    return warn_of_styles(program_.variables[node.first].value, levels - 1);
+  const bool chooses = node.kind == ExprKind::call && functions()[node.aux].name == "choose";
+  if (!chooses && node.kind != ExprKind::property && node.kind != ExprKind::conditional &&
+      node.kind != ExprKind::list && node.kind != ExprKind::subscript)
+    return;
+  const bool skips = node.kind == ExprKind::conditional;  // its condition
+  for (const ExprId child : children.subspan(skips ? 1 : 0)) warn_of_styles(child, levels - 1);
+}
+
+void Compiler::warn_of_style(const Value& name) {
+  if (name.type == Type::list) {
+    for (const Value& item : name.list()) warn_of_style(item);
+  }
+  if (name.type != Type::string || name.string().empty() || library_.find(name.string())) return;
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.code = "W022";
+  d.at = program_.origin(name);
+  d.text = "no style '" + std::string(name.string()) + "' is loaded";
+  d.help = style_meant(name.string());
+  if (is_checked(d.at)) diagnostics_.add(std::move(d));
 }
 
 void Compiler::check_axis(const Call& call) {

@@ -139,7 +139,7 @@ SizeExpr Compiler::size_argument(const Operation& operation, std::size_t place,
 void Compiler::setting_argument(Call& call, const syntax::Arg& arg, NameScope& scope) {
   const auto* reference =
       arg.value.value ? std::get_if<syntax::Reference>(&arg.value.value->is) : nullptr;
-  if (!reference || reference->names.size() > 2)
+  if (!reference || reference->style || reference->names.size() > 2)
     refuse(arg.at, "set() takes the name of a variable first", "set(Tile.WindowHeight, 2.1)");
   uint32_t slot = none;
   if (reference->names.size() == 2) {

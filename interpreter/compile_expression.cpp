@@ -128,17 +128,34 @@ uint32_t Compiler::variable_slot(uint16_t style, std::string_view block,
   return it == variable_slots_.end() ? none : it->second;
 }
 
-ExprId Compiler::reference(const syntax::Reference& r, Span at, NameScope& scope) {
-  if (r.style) {
-    const auto style = style_number(r.style.text);
-    if (!style) {
-      std::vector<std::string_view> names;
-      for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
-      refuse_style(r.style, names);
-    }
-    return constant(Value::of_symbol(program_.symbols.intern(r.names.back().text), *style + 1u),
-                    at);
+/// `Other::SYMBOL`: of another style a symbol, and nothing else.
+ExprId Compiler::symbol_elsewhere(const syntax::Reference& r, Span at) {
+  const auto style = style_number(r.style.text);
+  if (!style) {
+    std::vector<std::string_view> names;
+    for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
+    refuse_style(r.style, names);
   }
+  const std::string_view name = r.names[0].text;
+  const bool is_variable =
+      !known_symbols_.contains(name) &&
+      std::ranges::find(program_.styles[*style].linked->variables, name, &VariableBinding::name) !=
+          program_.styles[*style].linked->variables.end();
+  if (r.names.size() > 1 || is_variable) refuse_elsewhere(r, at, "variables");
+  return constant(Value::of_symbol(program_.symbols.intern(name), *style + 1u), at);
+}
+
+void Compiler::refuse_elsewhere(const syntax::Reference& r, Span at, std::string_view what) {
+  const std::string style(r.style.text);
+  refuse(at,
+         "'" + std::string(at.text()) + "' is no symbol: " + std::string(what) +
+             " of another style can not be used here",
+         "only a style that inherits from '" + style + "' sees its " + std::string(what) + "; '" +
+             style + "::NAME' is a symbol");
+}
+
+ExprId Compiler::reference(const syntax::Reference& r, Span at, NameScope& scope) {
+  if (r.style) return symbol_elsewhere(r, at);
   return r.names.size() == 1 ? plain_name(r.names[0], scope) : dotted_name(r, at, scope);
 }
 
@@ -225,7 +242,8 @@ ExprId Compiler::plain_argument(const syntax::Arg& arg, NameScope& scope) {
 
 ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
   const syntax::Name& name = call.callee.names.back();
-  if (call.callee.names.size() == 1 && !call.callee.style) {
+  if (call.callee.style) refuse_elsewhere(call.callee, at, "functions");
+  if (call.callee.names.size() == 1) {
     if (name.text == "attr") return attribute_call(call, at, scope);
     if (const Function* function = find_function(name.text))
       return function_call(*function, call, at, scope);

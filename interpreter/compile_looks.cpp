@@ -1,5 +1,6 @@
 // Elements and materials.
 #include <algorithm>
+#include <set>
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
@@ -94,7 +95,12 @@ std::string Compiler::picture(std::string_view file, Span at) {
 Material Compiler::material_of(const syntax::MaterialAlternative& alternative, std::string name) {
   Material material = program_.materials[0];
   material.name = std::move(name);
+  std::set<std::string_view> said;
   for (const syntax::Emit& look : alternative.looks) {
+    if (!said.insert(look.name.text).second) {
+      refuse(look.name.at, "a second " + std::string(look.name.text) + "() for the same surface",
+             "write a '|' between alternatives: color(\"tan\") | color(\"gray\")");
+    }
     std::vector<Value> values;
     if (look.args) {
       for (const syntax::Arg& arg : *look.args) values.push_back(literal(arg));

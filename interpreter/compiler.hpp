@@ -73,6 +73,9 @@ class Compiler {
   ExprId constant(Value value, Span at);
   ExprId chain(const syntax::Chain& chain, Span at, NameScope& scope);
   ExprId reference(const syntax::Reference& reference, Span at, NameScope& scope);
+  ExprId symbol_elsewhere(const syntax::Reference& reference, Span at);
+  [[noreturn]] static void refuse_elsewhere(const syntax::Reference& reference, Span at,
+                                            std::string_view what);
   ExprId plain_name(const syntax::Name& name, NameScope& scope);
   ExprId dotted_name(const syntax::Reference& reference, Span at, NameScope& scope);
   ExprId call(const syntax::Call& call, Span at, NameScope& scope);
@@ -136,6 +139,9 @@ class Compiler {
   void check_components(const Call& call, const std::vector<CallPart>& parts);
   void check_symbols_of_draws(const CompiledStyle& style);
   void check_style_named(ExprId id);
+  void warn_of_style(const Value& name);
+  void warn_of_styles(ExprId id, int levels);
+  std::string style_meant(std::string_view name) const;
   std::optional<double> constant_number(ExprId id) const;
 
   // analyse.cpp

@@ -84,6 +84,7 @@ void find_misspelt_blocks(Linking& linking) {
     if (!near) return;
     if (!resembles(block, Likeness(linking, *near))) return;
     linking.misspelt_blocks.insert(block.name.text);
+    if (block.replace) return;  // an error already
     linking.diagnostics.add(
         warning("W016", block.name.at,
                 "block " + in_quotes(block.name.text) + " is new, but gives what block " +

@@ -1,6 +1,7 @@
-// Whether the words `final` and `override` are kept.
+// Whether the words `final`, `override` and `replace` are kept.
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -106,6 +107,29 @@ void check_slots(Linking& linking, const std::vector<Slot<T>>& slots) {
   }
 }
 
+/// `replace` in a style with parents, none of which has the block. One without may be a mixin.
+void check_replacements(Linking& linking) {
+  const Order& order = linking.ancestry.order();
+  std::set<std::string_view> below;
+  for (std::size_t rank = order.size(); rank-- > 0;) {
+    for_each_block(*order[rank], [&](const syntax::Block& block) {
+      if (!block.replace || order[rank]->parents.empty() || below.contains(block.name.text)) return;
+      std::string help;
+      if (linking.suggestions_left-- > 0)
+        help = did_you_mean(block.name.text, {below.begin(), below.end()});
+      Diagnostic complaint =
+          error(block.name.at,
+                "'replace " + std::string(block.name.text) + "' replaces nothing: no parent of " +
+                    in_quotes(order[rank]->name.text) + " has this block",
+                {while_linking(*order[rank])}, std::move(help));
+      complaint.also.push_back(block.replace);
+      linking.diagnostics.add(std::move(complaint));
+    });
+    for_each_block(*order[rank],
+                   [&](const syntax::Block& block) { below.insert(block.name.text); });
+  }
+}
+
 }  // namespace
 
 std::string full_name(std::string_view block, std::string_view name) {
@@ -116,6 +140,7 @@ void check_overriding(Linking& linking) {
   const Members& members = linking.members;
   check_slots(linking, members.variables);
   check_slots(linking, members.functions);
+  check_replacements(linking);
   std::unordered_map<std::string_view, std::size_t> abstracts;  // an `abstract` can be overridden
   for (const auto& slot : members.abstract_symbols) abstracts[slot.name] = slot.given.back().rank;
   for (const Slot<Rule>& slot : members.symbols) {

@@ -96,6 +96,25 @@ std::string faces(const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("a property that is nearly a variable of every style is told") {
+  const Atelier atelier;
+  atelier.write("two.style",
+                "import \"house.style\"\nstyle Wide : House { Tile { var Widths = 2 TILE -> "
+                "extrude(Widths / 10) WALL } }");
+  const Words two{"vary",   "two.style", "rect:6x4", "-o",        "two.png",
+                  "--size", "32x24",     "--styles", "House,Wide"};
+  const auto told = [&](const std::string& property) {
+    Words words(two);
+    words.insert(words.end(), {"--attr", property});
+    const Run vary = run(words, atelier.path());
+    CHECK_MESSAGE(vary.status == 0, vary.err);
+    return vary.err.find("W021") != std::string::npos;
+  };
+  CHECK(told("Tile.Widht=2"));
+  CHECK_FALSE(told("Tile.Widths=2"));  // of one of the two
+  CHECK_FALSE(told("Tile.Width=2"));
+}
+
 TEST_CASE("twelve seeds, as many as asked, from the one that is asked") {
   const Atelier atelier;
   const Run twelve = atelier.vary({});

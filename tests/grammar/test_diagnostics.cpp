@@ -147,6 +147,18 @@ TEST_CASE("sorted by file, then by position") {
   CHECK(order == "3142");
 }
 
+TEST_CASE("at one place errors first, then what speaks of fewer words") {
+  const Source a("a", "NAME : W > 3 -> WALL");
+  Diagnostics all;
+  all.add({Severity::warning, "W002", {&a, 0, 12}, "2", {}, {}, {}});
+  all.add({Severity::warning, "W016", {&a, 0, 4}, "1", {}, {}, {}});
+  all.add(error({&a, 0, 20}, "0"));
+  all.sort();
+  std::string order;
+  for (const Diagnostic& d : all.all()) order += d.text;
+  CHECK(order == "012");
+}
+
 TEST_CASE("the nearest word") {
   constexpr std::array<std::string_view, 5> words{"style", "class", "subdiv", "WALL", "if"};
   CHECK(nearest("styel", words) == "style");
