@@ -34,94 +34,51 @@ constexpr Flag quiet_flag{"--quiet", "", "no progress and no summary"};
 constexpr Flag color_flag{"--no-color", "", "no colours on a terminal"};
 constexpr Flag threads_flag{"--threads", "N", "how many threads (default: all)"};
 
-constexpr std::array derive_flags{
-    Flag{"-o,--output", "OUT", "the model to write; its ending says the format (.obj)"},
-    style_flag,
-    seed_flag,
-    set_flag,
-    attr_flag,
-    lod_flag,
-    threads_flag,
-    select_flag,
-    limit_flag,
-    id_flag,
-    layer_flag,
-    where_flag,
-    Flag{"--report", "FILE.json", "counts, areas and report() values"},
-    Flag{"--up", "y|z", "which axis points up in the model (default y)"},
-    path_flag,
-    depth_flag,
-    shapes_flag,
-    strict_flag,
-    keep_flag,
-    json_flag,
-    quiet_flag,
-    color_flag};
-constexpr std::array check_flags{path_flag, set_flag, json_flag, quiet_flag, color_flag};
-constexpr std::array format_flags{
-    Flag{"--write", "", "change the files in place, those that need it"},
-    Flag{"--diff", "", "print what would change, as a unified diff"},
-    Flag{"--check", "", "name the files that would change and exit with 1; for tests"},
-    json_flag,
-    quiet_flag,
-    color_flag};
-constexpr std::array explain_flags{
-    set_flag,
-    attr_flag,
+constexpr std::array variation_flags{style_flag, seed_flag, set_flag, attr_flag, lod_flag};
+constexpr std::array one_plot_flags{select_flag, id_flag, layer_flag, where_flag};
+constexpr std::array plots_flags{select_flag, limit_flag, id_flag, layer_flag, where_flag};
+constexpr std::array derivation_flags{path_flag, depth_flag, shapes_flag, strict_flag};
+constexpr std::array printing_flags{json_flag, quiet_flag, color_flag};
+
+constexpr std::span<const Flag> list_of(const Flag& flag) { return {&flag, 1}; }
+constexpr std::span<const Flag> list_of(std::span<const Flag> flags) { return flags; }
+
+/// Flags and lists of flags, one after the other.
+template <class... Parts>
+constexpr auto joined(const Parts&... parts) {
+  std::array<Flag, ((sizeof(Parts) / sizeof(Flag)) + ...)> all;
+  auto end = all.begin();
+  ((end = std::ranges::copy(list_of(parts), end).out), ...);
+  return all;
+}
+
+constexpr auto derive_flags =
+    joined(Flag{"-o,--output", "OUT", "the model to write; its ending says the format (.obj)"},
+           variation_flags, threads_flag, plots_flags,
+           Flag{"--report", "FILE.json", "counts, areas and report() values"},
+           Flag{"--up", "y|z", "which axis points up in the model (default y)"}, derivation_flags,
+           keep_flag, printing_flags);
+constexpr auto check_flags = joined(path_flag, set_flag, printing_flags);
+constexpr auto format_flags =
+    joined(Flag{"--write", "", "change the files in place, those that need it"},
+           Flag{"--diff", "", "print what would change, as a unified diff"},
+           Flag{"--check", "", "name the files that would change and exit with 1; for tests"},
+           printing_flags);
+constexpr auto explain_flags = joined(
+    set_flag, attr_flag,
     Flag{"--footprint", "FOOTPRINTS", "whose properties and draws decide: a file, or rect:10x8"},
-    seed_flag,
-    select_flag,
-    id_flag,
-    layer_flag,
-    where_flag,
-    path_flag,
-    json_flag,
-    quiet_flag,
-    color_flag};
-constexpr std::array tree_flags{
-    style_flag,
-    seed_flag,
-    set_flag,
-    attr_flag,
-    lod_flag,
-    select_flag,
-    id_flag,
-    layer_flag,
-    where_flag,
-    Flag{"--symbol", "NAME", "only what hangs below shapes of this symbol"},
-    Flag{"--depth", "N", "only this many levels"},
-    Flag{"--dot", "", "a graph for Graphviz"},
-    path_flag,
-    depth_flag,
-    shapes_flag,
-    strict_flag,
-    json_flag,
-    quiet_flag,
-    color_flag};
-constexpr std::array render_flags{
+    seed_flag, one_plot_flags, path_flag, printing_flags);
+constexpr auto tree_flags =
+    joined(variation_flags, one_plot_flags,
+           Flag{"--symbol", "NAME", "only what hangs below shapes of this symbol"},
+           Flag{"--depth", "N", "only this many levels"}, Flag{"--dot", "", "a graph for Graphviz"},
+           derivation_flags, printing_flags);
+constexpr auto render_flags = joined(
     Flag{"-o,--output", "PICTURE.png", "the picture to write"},
     Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: eye and target in metres"},
-    Flag{"--size", "WxH", "pixels (default 1200x800)"},
-    style_flag,
-    seed_flag,
-    set_flag,
-    attr_flag,
-    lod_flag,
-    threads_flag,
-    select_flag,
-    limit_flag,
-    id_flag,
-    layer_flag,
-    where_flag,
-    path_flag,
-    depth_flag,
-    shapes_flag,
-    strict_flag,
-    keep_flag,
-    json_flag,
-    quiet_flag,
-    color_flag};
-constexpr std::array vary_flags{
+    Flag{"--size", "WxH", "pixels (default 1200x800)"}, variation_flags, threads_flag, plots_flags,
+    derivation_flags, keep_flag, printing_flags);
+constexpr auto vary_flags = joined(
     Flag{"-o,--output", "SHEET.png", "the contact sheet to write"},
     Flag{"--count", "N", "this many seeds, from --seed on (default 12 when nothing else varies)"},
     Flag{"--styles", "A,B,C", "a picture of each of these styles"},
@@ -132,26 +89,10 @@ constexpr std::array vary_flags{
     Flag{"--export", "DIR",
          "writes each variation there too, as a model and as a style of three lines"},
     Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: the same for all pictures"},
-    Flag{"--size", "WxH", "pixels of each picture (default 400x300)"},
-    style_flag,
-    seed_flag,
-    set_flag,
-    attr_flag,
-    lod_flag,
-    threads_flag,
-    select_flag,
-    limit_flag,
-    id_flag,
-    layer_flag,
-    where_flag,
-    path_flag,
-    depth_flag,
-    shapes_flag,
-    strict_flag,
+    Flag{"--size", "WxH", "pixels of each picture (default 400x300)"}, variation_flags,
+    threads_flag, plots_flags, derivation_flags,
     Flag{"--keep-going", "", "a picture that fails says why, the others are drawn; exit with 1"},
-    json_flag,
-    quiet_flag,
-    color_flag};
+    printing_flags);
 constexpr std::array help_flags{json_flag};
 constexpr std::array lsp_flags{path_flag};
 

@@ -1,5 +1,5 @@
-// Wavefront OBJ: each building's arrays once through a large buffer, no streams, and no call to the
-// heap once the tables have grown.
+// Wavefront OBJ: each building's arrays once through a large buffer, no streams, and, once the
+// tables have grown, no call to the heap but for the building's name.
 #include <algorithm>
 #include <array>
 #include <bit>

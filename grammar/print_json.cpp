@@ -2,24 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "grammar/diagnostic.hpp"
+#include "grammar/put_place.hpp"
 
 namespace mansard {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
-
-void put_place(Json& into, Span at) {
-  if (!at) return;
-  const Source::Position begin = at.source->position(at.begin), end = at.source->position(at.end);
-  into["file"] = at.source->name();
-  into["line"] = begin.line;
-  into["column"] = begin.column;
-  into["end_line"] = end.line;
-  into["end_column"] = end.column;
-}
-
-}  // namespace
 
 std::string to_json(const Diagnostic& diagnostic) {
   Json json;

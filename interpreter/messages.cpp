@@ -19,6 +19,30 @@ std::string number_text(double value) {
   return text;
 }
 
+std::string script_text(const Program& program, const Value& value) {
+  switch (value.type) {
+    case Type::number:
+      return number_text(value.number);
+    case Type::boolean:
+      return value.boolean ? "true" : "false";
+    case Type::string:
+      return "\"" + std::string(value.string()) + "\"";
+    case Type::symbol: {
+      auto symbol = std::string(program.symbols[value.symbol]);
+      if (value.size == 0) return symbol;
+      return std::string(program.styles[value.size - 1].name) + "::" + symbol;
+    }
+    case Type::list: {
+      std::string text;
+      for (const Value& item : value.list()) {
+        text += (text.empty() ? "" : ", ") + script_text(program, item);
+      }
+      return "[" + text + "]";
+    }
+  }
+  return {};
+}
+
 std::string shortened(std::string_view text) {
   constexpr std::size_t most = 60;  // bytes
   std::string line;

@@ -15,6 +15,8 @@ namespace mansard {
 std::string count_text(std::size_t n, std::string_view noun);
 /// Shortest form, at most 6 significant digits.
 std::string number_text(double value);
+/// As a script writes it: "text" in quotes, [a, b], Other::SYMBOL.
+std::string script_text(const Program& program, const Value& value);
 /// Foreign text on one line, cut when it is long.
 std::string shortened(std::string_view text);
 /// "10 x 3 x 0 m".

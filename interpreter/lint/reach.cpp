@@ -49,19 +49,10 @@ void Reach::run() {
 
 void Reach::expand(uint16_t style, uint32_t symbol) {
   style_ = style;
-  uint32_t set = program_.styles[style].rules[symbol];
-  while (set != none) {
-    const RuleSet& rules = program_.rule_sets[set];
-    says_super_ = false;
-    for (uint32_t i = 0; i < rules.count; ++i) {
-      walk_production(program_, program_.productions[rules.first + i], *this);
-    }
-    set = says_super_ ? rules.super : none;
-  }
+  walk_rules(program_, program_.styles[style].rules[symbol], *this);
 }
 
 void Reach::step(const Step& step) {
-  if (step.kind == StepKind::super) says_super_ = true;
   if (step.kind != StepKind::emit) return;
   if (step.style_of == none) return push(step.style == 0xffff ? style_ : step.style, step.what);
   for (uint16_t style = 0; style < style_count(program_); ++style) {

@@ -35,8 +35,7 @@ class Reach {
   std::vector<std::vector<bool>> reached_;  ///< by style and symbol
   std::vector<bool> live_, variables_, functions_;
   std::vector<std::pair<uint16_t, uint32_t>> pending_;
-  uint16_t style_ = 0;       ///< whose rules are being walked
-  bool says_super_ = false;  ///< by the production at hand
+  uint16_t style_ = 0;  ///< whose rules are being walked
 };
 
 /// For every style and symbol: whether a rule of another symbol emits it.

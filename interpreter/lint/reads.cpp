@@ -19,7 +19,7 @@ Reads::Reads(const Program& program)
       read_(program.variables.size(), false),
       called_(program.functions.size(), false) {
   for (const CompiledStyle& style : program.styles) {
-    for (const uint32_t top : style.rules) productions(top);
+    for (const uint32_t top : style.rules) walk_rules(program, top, *this);
   }
   for (reader_ = 0; reader_ < program.variables.size(); ++reader_) {
     const ExprId value = program.variables[reader_].value;
@@ -39,21 +39,6 @@ Reads::Reads(const Program& program)
     const FunctionSlot& f = program.functions[slot];
     if (called_[slot]) add_writers(functions_, *f.binding, f.name);
   }
-}
-
-void Reads::productions(uint32_t set) {
-  while (set != none) {
-    const RuleSet& rules = program_.rule_sets[set];
-    says_super_ = false;
-    for (uint32_t i = 0; i < rules.count; ++i) {
-      walk_production(program_, program_.productions[rules.first + i], *this);
-    }
-    set = says_super_ ? rules.super : none;
-  }
-}
-
-void Reads::step(const Step& step) {
-  if (step.kind == StepKind::super) says_super_ = true;
 }
 
 void Reads::expression(ExprId expr) {

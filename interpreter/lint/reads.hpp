@@ -26,15 +26,12 @@ class Reads {
   }
 
   // For Walk.
-  void step(const Step& step);
+  void step(const Step&) {}
   void expression(ExprId expr);
 
  private:
-  void productions(uint32_t top);
-
   const Program& program_;
-  std::vector<bool> read_, called_;  ///< by slot
-  bool says_super_ = false;
+  std::vector<bool> read_, called_;         ///< by slot
   uint32_t reader_ = none, caller_ = none;  ///< the variable or function being walked
   std::set<std::pair<const syntax::Style*, std::string>> variables_, functions_;
 };

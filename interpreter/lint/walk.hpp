@@ -19,10 +19,12 @@ class Walk {
   void expression(ExprId id) {
     if (id != none) visit_.expression(id);
   }
+  bool says_super() const { return says_super_; }
 
  private:
   void step(const Step& step) {
     visit_.step(step);
+    says_super_ = says_super_ || step.kind == StepKind::super;
     expression(step.index);
     expression(step.style_of);
     for (uint32_t i = 0; i < step.argument_count; ++i) {
@@ -52,15 +54,31 @@ class Walk {
 
   const Program& program_;
   Visit& visit_;
+  bool says_super_ = false;
 };
 
+/// Whether it says `super`.
 template <class Visit>
-void walk_production(const Program& program, const Production& production, Visit& visit) {
+bool walk_production(const Program& program, const Production& production, Visit& visit) {
   Walk<Visit> walk(program, visit);
   walk.expression(production.guard);
   walk.expression(production.index_test);
   walk.expression(production.probability);
   walk.body(production.body);
+  return walk.says_super();
+}
+
+/// The productions of a rule set, and of those that `super` leads to.
+template <class Visit>
+void walk_rules(const Program& program, uint32_t set, Visit& visit) {
+  while (set != none) {
+    const RuleSet& rules = program.rule_sets[set];
+    bool goes_on = false;
+    for (uint32_t i = rules.first; i < rules.first + rules.count; ++i) {
+      if (walk_production(program, program.productions[i], visit)) goes_on = true;
+    }
+    set = goes_on ? rules.super : none;
+  }
 }
 
 /// Calls visit(node) for an expression and all below it.

@@ -9,22 +9,7 @@ namespace mansard {
 namespace {
 
 std::string text_of(const Program& program, const Value& value) {
-  switch (value.type) {
-    case Type::number:
-      return number_text(value.number);
-    case Type::boolean:
-      return value.boolean ? "true" : "false";
-    case Type::string:
-      return std::string(value.string());
-    case Type::symbol:
-      return std::string(program.symbols[value.symbol]);
-    case Type::list:
-      break;
-  }
-  std::string text = "[";
-  for (const Value& item : value.list())
-    text += (text.size() > 1 ? ", " : "") + text_of(program, item);
-  return text + "]";
+  return value.type == Type::string ? std::string(value.string()) : script_text(program, value);
 }
 
 }  // namespace

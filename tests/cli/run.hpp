@@ -32,4 +32,9 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// A file of this name and text in the folder: its path.
+std::string written(const TemporaryFolder& folder, const std::string& name,
+                    const std::string& text);
+std::size_t files_in(const TemporaryFolder& folder);
+
 }  // namespace mansard::test

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,23 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 using mansard::test::contents;
+using mansard::test::files_in;
 using mansard::test::Run;
 using mansard::test::run;
 using mansard::test::TemporaryFolder;
+using mansard::test::written;
 using nlohmann::json;
 
 const std::string root = MANSARD_ROOT;
 const std::string box = root + "/bench/facade_box.style";
 const std::string listings = root + "/styles/library/listings.style";
-
-std::string written(const TemporaryFolder& folder, const std::string& name, const char* text) {
-  std::ofstream(folder / name) << text;
-  return folder / name;
-}
-
-std::size_t files_in(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), {}));
-}
 
 }  // namespace
 
@@ -117,9 +109,9 @@ TEST_CASE("variables that read others twice are checked at once and bounded wher
     return text + " Plot { FOOTPRINT -> extrude(v63 / 1e18) { MASS } } }";
   };
   const TemporaryFolder folder;
-  const std::string once = written(folder, "once.style", doubling("1").c_str());
+  const std::string once = written(folder, "once.style", doubling("1"));
   CHECK(run({"tree", once, "rect:10x8"}).status == 0);
-  const std::string each = written(folder, "each.style", doubling("W").c_str());
+  const std::string each = written(folder, "each.style", doubling("W"));
   CHECK(run({"check", each}).status == 0);
   const Run tree = run({"tree", each, "rect:10x8"});
   CHECK(tree.status == 1);
@@ -131,7 +123,7 @@ TEST_CASE("what reaches beyond all measure is an error, not a model without numb
   for (const char* const rule : {"s(1e200, 1e200, 1e200) sphere() BALL", "r(1e308, 1e308, 0) PLOT",
                                  "extrude(1e300) { MASS }", "t(1e300, 0, 0) PLOT"}) {
     const std::string text = std::string("style S { Plot { FOOTPRINT -> ") + rule + " } }";
-    const std::string style = written(folder, "far.style", text.c_str());
+    const std::string style = written(folder, "far.style", text);
     const Run far = run({"derive", style, "rect:10x8", "-o", folder / "far.obj"});
     CHECK_MESSAGE(far.status == 1, rule);
     CHECK_MESSAGE(far.err.find("reaches further than") != std::string::npos, far.err);

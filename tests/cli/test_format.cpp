@@ -12,23 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using mansard::test::contents;
+using mansard::test::files_in;
 using mansard::test::Run;
 using mansard::test::run;
 using mansard::test::TemporaryFolder;
+using mansard::test::written;
 
 const std::string untidy = "class A\n{ Plot { FOOTPRINT->extrude( 3 ){A} }\n}\n";
 const std::string tidy = "style A {\n    Plot { FOOTPRINT -> extrude(3) { A } }\n}\n";
 const std::string wrong = "style A { Plot { FOOTPRINT -> } }\n";
-
-std::string written(const TemporaryFolder& folder, const std::string& name,
-                    const std::string& text) {
-  std::ofstream(folder / name, std::ios::binary) << text;
-  return folder / name;
-}
-
-std::size_t files_in(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), {}));
-}
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,6 +14,7 @@ using mansard::test::contents;
 using mansard::test::Run;
 using mansard::test::run;
 using mansard::test::TemporaryFolder;
+using mansard::test::written;
 using Words = std::vector<std::string>;
 
 const char* const script = R"(style House {
@@ -38,7 +38,7 @@ class Atelier {
  public:
   Atelier() { write("house.style", script); }
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
+    written(folder_, name, text);
   }
   std::string operator/(const std::string& name) const { return folder_ / name; }
   const fs::path& path() const { return folder_.path(); }
