@@ -23,7 +23,7 @@ enum class RoofKind : uint8_t {
   mansard,      ///< hips, steep below and shallow above
   gambrel,      ///< gables, steep below and shallow above
   saltbox,      ///< one ridge out of the middle, its short slope at the edge `ridge`
-  cross_gable,  ///< gables, and one more on every wall long enough
+  cross_gable,  ///< gables, and one more on every long wall between two corners
   sawtooth,     ///< teeth along the edge `ridge`, upright on its side
   barrel        ///< an arc across the edge `ridge`
 };
@@ -48,7 +48,9 @@ struct RoofOptions {
   double tooth = 6;         ///< metres: width of a sawtooth roof's teeth, about
   double parapet = 0;       ///< metres, flat roofs only
   double parapet_width = 0.25;
-  std::optional<uint32_t> ridge;  ///< edge that the ridge runs along; without: the longest
+  /// Edge that the ridge runs along; without: the longest (teeth: across the longest). Over more
+  /// than four walls a roof with a skeleton keeps its own ridges.
+  std::optional<uint32_t> ridge;
   /// A flag for each edge: ends that are gables, and that stay hips, whatever the kind says. Where
   /// `gables` are given the other ends of gable, gambrel and cross_gable roofs are hips. Only ends
   /// whose face is a triangle can be gables; of a quadrilateral either pair of opposite edges.

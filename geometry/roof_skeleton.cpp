@@ -53,7 +53,7 @@ RoofPlan plan_with_ends(SkeletonOn& on, const RoofOptions& options) {
   return plan;
 }
 
-// Twice as far as the least of the walls' distances would be another roof.
+// The centre of the area, where it lies well inside of every wall.
 std::optional<Vec2> apex_of(const Polygon& polygon, const std::vector<WallLine>& lines) {
   if (polygon.rings() != 1) return std::nullopt;
   const Vec2 o = polygon.points[0];
@@ -65,8 +65,9 @@ std::optional<Vec2> apex_of(const Polygon& polygon, const std::vector<WallLine>&
     sum = sum + (a + b - o - o) * (part / 3);
   });
   const Vec2 apex = o + sum * (1 / twice);
+  const double least = twice / 2 / perimeter(polygon);  // half of a square's
   for (const WallLine& line : lines) {
-    if (line.distance(apex) < 0.02 * std::sqrt(twice)) return std::nullopt;
+    if (line.distance(apex) < least) return std::nullopt;
   }
   return apex;
 }

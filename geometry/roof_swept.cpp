@@ -383,14 +383,15 @@ class SweptRoof {
   double overhang_ = 0, verge_ = 0, thickness_ = 0;
 };
 
-// Along the edge that was asked for, or the longest one.
+// Along the edge that was asked for, else along the longest one; teeth stand across that.
 Vec2 direction_of(const Polygon& polygon, const RoofOptions& options) {
   Vec2 longest, asked;
   for_each_edge(polygon, [&](uint32_t e, Vec2 a, Vec2 b) {
     if (length(b - a) > length(longest) + 1e-6) longest = b - a;
     if (options.ridge == e) asked = b - a;
   });
-  return normalized(length(asked) > 0 ? asked : longest);
+  if (length(asked) > 0) return normalized(asked);
+  return normalized(options.kind == RoofKind::sawtooth ? left_of(longest) : longest);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace mansard {
 namespace {
 
-constexpr double least_half_width = 1;  // metres; a smaller gable looks like a mistake
-constexpr double margin = 0.985;        // of the way to where it would meet other faces
+constexpr double least_height = 0.7;  // of the ridge's; a lower gable looks like a mistake
+constexpr double margin = 0.985;      // of the way to where it would meet other faces
 
 // The frame of a wall: s along it, t inwards.
 struct WallFrame {
@@ -32,6 +32,10 @@ double widest(const RoofPlan& plan, const RoofPlan::Face& face, const WallFrame&
     half = std::min(half, p.z + (q.z - p.z) * (middle - s) / (next - s));
   }
   return half;
+}
+
+bool is_convex_at(const RoofPlan& plan, uint32_t corner) {
+  return cross(plan.lines[plan.before[corner]].normal, plan.lines[corner].normal) > 0;
 }
 
 void add_gable(RoofPlan& plan, uint32_t e, const WallFrame& frame, double middle, double half,
@@ -58,9 +62,11 @@ void add_gable(RoofPlan& plan, uint32_t e, const WallFrame& frame, double middle
 }  // namespace
 
 void add_wall_gables(RoofPlan& plan, const RoofOptions& options) {
+  const double least = std::max(1.0, least_height * plan.highest());
   for (uint32_t e = 0; e < plan.footprint->ring_ends[0]; ++e) {
     const EdgeTag tag = plan.footprint->tags[e];
     if (plan.ends[e] != RoofEnd::hip || tag.has(EdgeTag::party)) continue;
+    if (!is_convex_at(plan, e) || !is_convex_at(plan, plan.next[e])) continue;
     const RoofPlan::Node a = plan.nodes[e], b = plan.nodes[plan.next[e]];
     const Vec2 from{a.wall.x, a.wall.y}, to{b.wall.x, b.wall.y};
     const WallFrame frame{from, normalized(to - from), plan.lines[e].normal};
@@ -70,7 +76,7 @@ void add_wall_gables(RoofPlan& plan, const RoofOptions& options) {
     const double right = std::min(frame.s_of(b.outer), wide) - overhang - middle;
     const double half =
         margin * std::min({left, right, widest(plan, plan.faces[e], frame, middle)});
-    if (half < least_half_width) continue;
+    if (half < least) continue;
     add_gable(plan, e, frame, middle, half, overhang, verge_of(options));
   }
 }
