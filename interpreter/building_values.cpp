@@ -29,6 +29,7 @@ class DependenceWalk {
     if (!variables_.insert(slot).second) return;
     const VariableSlot& v = program_.variables[slot];
     if (v.binding && !v.binding->syntax->value && !v.from_command_line) found.abstract = true;
+    if (v.settable && !v.from_command_line) found.set = true;
     const bool outer = std::exchange(once_a_building_, v.per == VariableSlot::Per::building);
     expression(v.value);
     once_a_building_ = outer;
@@ -163,7 +164,7 @@ class BuildingValues::Evaluator {
         return result;
       }
     }
-    result.dependence = {false, false, true};
+    result.dependence = {.footprint = true, .set = result.settable};
     return result;
   }
 

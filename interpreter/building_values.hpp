@@ -14,10 +14,11 @@ namespace mansard {
 
 /// What a value depends on.
 struct Dependence {
-  bool shape = false;      ///< the shape, or a set() on it: another value at each use
+  bool shape = false;      ///< the shape: another value at each use
   bool random = false;     ///< draws: another value for each seed
   bool abstract = false;   ///< a variable that a child has to give first
   bool footprint = false;  ///< properties of the footprint
+  bool set = false;        ///< a variable that some rule says set() for
 };
 
 struct VariableValue {

@@ -45,8 +45,11 @@ Json code_actions(Project& project, const Params& params) {
     if (!d.at || d.at.source != at.file->source) continue;
     const Range range = at.view->range(d.at);
     if (range.end < asked.start || asked.end < range.start) continue;
-    if (const auto word = meant(d.help))
-      actions.push_back(action(project, at, d, "Write '" + *word + "'", range, *word));
+    if (const auto word = meant(d.help)) {
+      const std::string quote = d.at.text().starts_with('"') ? "\"" : "";
+      actions.push_back(
+          action(project, at, d, "Write '" + *word + "'", range, quote + *word + quote));
+    }
     if (d.severity != Severity::warning || d.code.empty()) continue;
     const uint32_t line = range.start.line;
     const Position end{line, UINT32_MAX};

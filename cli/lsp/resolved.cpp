@@ -25,7 +25,8 @@ std::string text_of(const VariableValue& value) {
   if (on.shape) return "another value for each shape" + footprint;
   if (!value.value) return {};
   return "`" + *value.value + "`" +
-         (on.footprint ? " where the footprint has no properties that say otherwise" : "");
+         (on.footprint ? " where the footprint has no properties that say otherwise" : "") +
+         (on.footprint && on.set ? "," : "") + (on.set ? " where no set() says otherwise" : "");
 }
 
 }  // namespace

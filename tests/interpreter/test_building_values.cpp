@@ -83,11 +83,13 @@ TEST_CASE("what a value depends on") {
   const auto depends = [&](std::string_view block, std::string_view name) {
     const Dependence d = value(compiled, block, name).dependence;
     return std::string(d.shape ? "shape " : "") + (d.random ? "random " : "") +
-           (d.footprint ? "footprint" : "");
+           (d.footprint ? "footprint" : "") + (d.set ? "set" : "");
   };
-  CHECK(depends("Tile", "Twice").empty());
-  CHECK(depends("Tile", "Room") == "shape ");
-  CHECK(depends("Tile", "Risen") == "shape ");
+  CHECK(depends("Tile", "Words").empty());
+  CHECK(depends("Tile", "Wide") == "set");
+  CHECK(depends("Tile", "Twice") == "set");
+  CHECK(depends("Tile", "Room") == "shape set");
+  CHECK(depends("Tile", "Risen") == "shape set");
   CHECK(depends("", "Pitch") == "random ");
   CHECK(depends("Tile", "Own") == "random ");
   CHECK(depends("Tile", "Gap") == "shape random ");
@@ -148,6 +150,8 @@ TEST_CASE("a property settles what else each shape would") {
   CHECK(room.giver == Giver::property);
   CHECK(text(room) == "3");
   CHECK(!room.dependence.shape);
+  CHECK(!room.dependence.abstract);
+  CHECK(room.dependence.footprint);
 }
 
 TEST_CASE("weights of rules follow the variables") {

@@ -165,6 +165,18 @@ class Diagnostics(Case):
             "textDocument": {"uri": self.uri("a.style")}, "range": whole,
             "context": {"diagnostics": []}}), [])
 
+    def test_what_was_meant_keeps_its_quotes(self):
+        text = ('style House { A { FOOTPRINT -> WALL } }\n'
+                'style City { A { FOOTPRINT -> style(attr("kind", "Hose"))::FOOTPRINT } }\n')
+        self.write(a=text)
+        self.serve("a.style")
+        self.assertEqual(self.client.published(self.uri("a.style"))[0]["code"], "W022")
+        write = self.client.request("textDocument/codeAction", {
+            "textDocument": {"uri": self.uri("a.style")}, "context": {"diagnostics": []},
+            "range": {"start": {"line": 0, "character": 0}, "end": {"line": 9, "character": 0}}})[0]
+        mended = client.edited(text, write["edit"]["changes"][self.uri("a.style")])
+        self.assertEqual(mended, text.replace("Hose", "House"))
+
 
 if __name__ == "__main__":
     client.main()

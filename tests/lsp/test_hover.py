@@ -81,7 +81,8 @@ class Hover(Case):
         head = "```style\nvar Glass = Width * 2\n```\n\n"
         self.assertEqual(hover("Glass = "),
                          head + "= `2.4`\n\nGiven by `Base.Tile` (values.style:7)")
-        inherited = head + "= `1.2`\n\nGiven by `Base.Tile` (values.style:7), inherited by `Heir`"
+        inherited = (head + "= `1.2` where no set() says otherwise\n\n"
+                     "Given by `Base.Tile` (values.style:7), inherited by `Heir`")
         self.assertEqual(hover("Glass + "), inherited)
         self.assertEqual(hover("Glass)"), inherited)  # Tile.Glass, from another block
         self.assertEqual(hover("Width = 0.6"),
