@@ -43,10 +43,15 @@ constexpr std::array printing_flags{json_flag, quiet_flag, color_flag};
 constexpr std::span<const Flag> list_of(const Flag& flag) { return {&flag, 1}; }
 constexpr std::span<const Flag> list_of(std::span<const Flag> flags) { return flags; }
 
+template <class Part>
+constexpr std::size_t count_of = std::tuple_size_v<Part>;
+template <>
+constexpr std::size_t count_of<Flag> = 1;
+
 /// Flags and lists of flags, one after the other.
 template <class... Parts>
 constexpr auto joined(const Parts&... parts) {
-  std::array<Flag, ((sizeof(Parts) / sizeof(Flag)) + ...)> all;
+  std::array<Flag, (count_of<Parts> + ...)> all;
   auto end = all.begin();
   ((end = std::ranges::copy(list_of(parts), end).out), ...);
   return all;
