@@ -26,7 +26,7 @@ VALUES = '''style Base {
 style Heir : Base {
     Tile {
         var Width = 0.6
-        var Colour = "tan"
+        var Colour = "tan"   var Depth = rand(0, 1)
         ROW -> set(Tile.Width, 0.3) extrude(Glass + Gap)
     }
     Facade { EDGE -> extrude(Tile.Glass) }
@@ -109,6 +109,12 @@ class Hover(Case):
             text = hover(needle)
             found = [line[2:] for line in text.split("\n") if line.startswith("= ")]
             self.assertEqual(found, [worth] if worth else [], f"{needle}: {text}")
+
+    def test_how_often_to_draw_is_not_kept(self):
+        """A child that gives the variable anew draws it as it says itself."""
+        text = self.valued()("Depth = ", 1)
+        self.assertIn("= drawn once a building", text)
+        self.assertNotIn("Keeps", text)
 
     def test_no_value_while_the_style_has_errors(self):
         self.write(broken="style A { B { var W = 1 var V = W * 2\n"
