@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/repair.hpp"
 #include "geometry/roof_parts.hpp"
 
 namespace mansard {
@@ -31,11 +32,47 @@ void move(Roof& roof, Vec2 by) {
   }
 }
 
-Roof local_roof(const Polygon& polygon, const RoofOptions& options) {
-  if (options.kind == RoofKind::flat) return flat_roof(polygon, options);
+std::optional<Roof> sound_roof(const Polygon& polygon, const RoofOptions& options) {
   std::optional<Roof> made;
   if (!is_swept(options.kind)) made = skeleton_roof(polygon, options);
   if (!made) made = swept_roof(polygon, options);
+  return made;
+}
+
+// One roof for each piece of an outline that crosses itself.
+std::optional<Roof> repaired_roof(const Polygon& polygon, RoofOptions options) {
+  options.gables.reset();  // they number the edges of the whole
+  options.hips.reset();
+  options.ridge.reset();
+  std::vector<std::vector<Vec2>> rings;
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const auto ring = polygon.ring(r);
+    for (const Vec2 p : ring) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) return std::nullopt;
+    }
+    if (ring.size() >= 3) rings.emplace_back(ring.begin(), ring.end());
+  }
+  if (rings.empty()) return std::nullopt;
+  Roof whole;
+  for (const auto& piece : repair(rings).pieces) {
+    Polygon part;
+    for (const auto& ring : piece) {
+      for (const Vec2 p : ring) part.add_point(p);
+      part.close_ring();
+    }
+    std::optional<Roof> roof = sound_roof(part, options);
+    if (!roof) return std::nullopt;
+    whole.fallback = std::max({4, whole.fallback, roof->fallback});
+    for (RoofFace& face : roof->faces) whole.faces.push_back(std::move(face));
+  }
+  if (whole.faces.empty()) return std::nullopt;
+  return whole;
+}
+
+Roof local_roof(const Polygon& polygon, const RoofOptions& options) {
+  if (options.kind == RoofKind::flat) return flat_roof(polygon, options);
+  std::optional<Roof> made = sound_roof(polygon, options);
+  if (!made) made = repaired_roof(polygon, options);
   if (made) return std::move(*made);
   Roof flat = flat_roof(polygon, options);
   flat.fallback = 6;

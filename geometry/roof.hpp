@@ -68,8 +68,9 @@ struct RoofFace {
 
 struct Roof {
   std::vector<RoofFace> faces;  ///< those of skeleton roofs in the order of the polygon's edges
-  /// Rung of the ladder that made it: 1 as asked, 2 to 4 on a footprint coarser by centimetres, 5
-  /// one ridge over the whole, 6 flat.
+  /// Rung of the ladder that made it: 1 as asked; on a footprint 2 changed by millimetres or where
+  /// it touches itself, 3 coarser by centimetres, 4 in pieces since it crosses itself; 5 one ridge
+  /// over the whole; 6 flat.
   int fallback = 1;
   /// What was asked and this footprint can not have.
   bool no_apex = false;   ///< a pyramid's point would not see every wall: a hip roof instead

@@ -142,26 +142,39 @@ class Emitter {
     }
   }
 
-  // Where cleaning moved the wall's top by more than a hair: the level strip between where it
+  // Where cleaning moved the wall's top by more than a hair: the level strips between where it
   // stands and the roof.
   void add_ledge(uint32_t e) {
-    const std::span<const Vec2> chain = tops_.chain(e);
     const Vec3 begin = wall(e), end = wall(plan_.next[e]);
-    std::vector<Vec3> inner = tops_.between(e, begin, end);
+    std::vector<Vec3> outer, inner = tops_.between(e, begin, end);
     inner.insert(inner.begin(), begin);
     inner.push_back(end);
-    std::size_t i = 0, k = 0;
-    while (i + 1 < chain.size() || k + 1 < inner.size()) {
-      const bool outer_next = k + 1 == inner.size() || (i + 1 < chain.size() && i <= k);
-      const Vec3 a = up(chain[i]), b = inner[k];
-      const Vec3 c = outer_next ? up(chain[++i]) : inner[++k];
-      add_level(e, std::array{a, c, b});
+    std::size_t k = 0;
+    for (const Vec2 p : tops_.chain(e)) {
+      outer.push_back({p.x, p.y, 0});
+      if (k + 2 >= inner.size() || outer.back() != inner[k + 1]) continue;
+      add_level(e, outer, {inner[k], inner[k + 1]});
+      outer = {inner[++k]};
     }
+    add_level(e, outer, {inner[k], inner[k + 1]});
   }
-  static Vec3 up(Vec2 p) { return {p.x, p.y, 0}; }
-  void add_level(uint32_t e, const std::array<Vec3, 3>& loop) {
+  // A strip that changes sides is two triangles.
+  void add_level(uint32_t e, std::vector<Vec3> outer, std::array<Vec3, 2> inner) {
+    const Vec2 n = plan_.lines[e].normal;
+    const auto side = [&](Vec3 p, Vec3 q) { return dot(n, Vec2{p.x - q.x, p.y - q.y}); };
+    if (side(outer.front(), inner[0]) * side(outer.back(), inner[1]) < 0) {
+      add_flat(e, std::array{outer.front(), outer.back(), inner[1]});
+      add_flat(e, std::array{outer.front(), inner[1], inner[0]});
+      if (outer.size() > 2) add_flat(e, outer);
+      return;
+    }
+    outer.push_back(inner[1]);
+    outer.push_back(inner[0]);
+    add_flat(e, outer);
+  }
+  void add_flat(uint32_t e, std::span<const Vec3> loop) {
     const double twice = newell(loop).z;
-    if (std::abs(twice) < 1e-14) return;
+    if (twice == 0) return;
     add_face(roof_, twice > 0 ? RoofPart::slope : RoofPart::soffit, tag(e), loop);
   }
 

@@ -44,6 +44,8 @@ bool tip_can_move(const SkeletonMesh& mesh, const std::vector<WallLine>& lines, 
   if (along != beside(right, tip, right.size() - 1) || along == face[0] || along == face[1]) {
     return false;  // more than three faces meet there, or it is a pyramid of three walls
   }
+  if (dot(lines[left_edge].normal, lines[right_edge].normal) >= 0)
+    return false;  // a corner cut off
   const Vec3 old = mesh.nodes[tip], other = mesh.nodes[along];
   const Vec2 ridge = left_of(lines[left_edge].normal - lines[right_edge].normal);
   const Vec2 inwards = lines[e].normal;

@@ -18,6 +18,7 @@ namespace mansard::test {
 struct Named {
   std::string name;
   Polygon polygon;
+  std::string set = {};  ///< the file it comes from
 };
 
 /// The rings of a WKT polygon; an empty polygon for what is none.
@@ -52,12 +53,13 @@ inline Polygon polygon_of_wkt(const std::string& wkt) {
   return polygon;
 }
 
-/// Every `step`th line of the files of real footprints; empty where they are missing.
-inline std::vector<Named> real_footprints(std::size_t step) {
+/// Every `step`th line of the files of real footprints, every `hard_step`th of the hard ones; empty
+/// where they are missing.
+inline std::vector<Named> real_footprints(std::size_t step, std::size_t hard_step = 3) {
   const std::filesystem::path data = std::filesystem::path(MANSARD_ROOT) / "../shared/data";
   std::vector<Named> found;
   std::string text;
-  const auto add_lines = [&](char separator, std::size_t every) {
+  const auto add_lines = [&](const char* set, char separator, std::size_t every) {
     std::size_t line = 0;
     for (std::size_t begin = 0; begin < text.size(); ++line) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -65,12 +67,12 @@ inline std::vector<Named> real_footprints(std::size_t step) {
       begin = end + 1;
       if (line % every != 0 || one.empty() || one[0] == '#') continue;
       Polygon polygon = polygon_of_wkt(one.substr(one.rfind(separator) + 1));
-      if (!polygon.empty()) found.push_back({one.substr(0, one.find(separator)), polygon});
+      if (!polygon.empty()) found.push_back({one.substr(0, one.find(separator)), polygon, set});
     }
   };
   if (std::ifstream hard(data / "hard_footprints.wkt"); hard) {
     text.assign(std::istreambuf_iterator<char>(hard), {});
-    add_lines(';', std::min<std::size_t>(step, 3));
+    add_lines("hard", ';', std::min(step, hard_step));
   }
   for (const char* set :
        {"baltimore", "bayreuth", "bpypolyskel", "helsinki", "liechtenstein", "monaco"}) {
@@ -84,7 +86,7 @@ inline std::vector<Named> real_footprints(std::size_t step) {
       text.append(buffer.data(), n);
     }
     pclose(pipe);
-    add_lines('\t', step);
+    add_lines(set, '\t', step);
   }
   return found;
 }
