@@ -5,101 +5,15 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "geometry/clean.hpp"
 #include "geometry/clip.hpp"
 #include "geometry/roof_parts.hpp"
+#include "geometry/roof_sweep.hpp"
 
 namespace mansard {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-// Heights over the distance s from the front of the footprint. Strip k lies between levels k and
-// k + 1; neighbouring strips may differ in height at their common level.
-struct Sweep {
-  struct Strip {
-    double begin, end, low, high;  ///< s, and the heights at both
-  };
-  std::vector<Strip> strips;
-  bool level_eaves = false;  ///< beyond the footprint it stays level
-
-  double height(std::size_t k, double s) const {
-    const Strip& strip = strips[k];
-    const bool before = k == 0 && s < strip.begin;
-    const bool behind = k + 1 == strips.size() && s > strip.end;
-    if (level_eaves && before) return strip.low;
-    if (level_eaves && behind) return strip.high;
-    if (s == strip.begin) return strip.low;
-    if (s == strip.end) return strip.high;
-    const double share = (s - strip.begin) / (strip.end - strip.begin);
-    return strip.low + (strip.high - strip.low) * share;
-  }
-  double highest() const {
-    double most = 0;
-    for (const Strip& strip : strips) most = std::max({most, strip.low, strip.high});
-    return most;
-  }
-};
-
-Sweep two_planes(double span, double ridge, double front_rise) {
-  return {{{0, ridge, 0, ridge * front_rise}, {ridge, span, ridge * front_rise, 0}}, false};
-}
-
-Sweep teeth(double span, double width, double rise) {
-  const int count = std::max(1, static_cast<int>(std::lround(span / width)));
-  Sweep sweep;
-  const double tooth = span / count;
-  for (int i = 0; i < count; ++i) {
-    sweep.strips.push_back({i * tooth, i + 1 == count ? span : (i + 1) * tooth, tooth * rise, 0});
-  }
-  return sweep;
-}
-
-Sweep arc(double span, double pitch) {
-  const double half = pitch * degree, radius = span / 2 / std::sin(half);
-  const int pieces = 2 * std::max(2, static_cast<int>(std::ceil(pitch / 10)));
-  Sweep sweep;
-  sweep.level_eaves = pitch > steep_eaves;
-  const auto point = [&](int i) {
-    const double angle = half * (2.0 * i / pieces - 1);
-    const double s = span / 2 + radius * std::sin(angle);
-    return Vec2{s, radius * (std::cos(angle) - std::cos(half))};
-  };
-  for (int i = 0; i < pieces; ++i) {
-    const Vec2 a = i == 0 ? Vec2{} : point(i), b = i + 1 == pieces ? Vec2{span, 0} : point(i + 1);
-    sweep.strips.push_back({a.x, b.x, a.y, b.y});
-  }
-  return sweep;
-}
-
-Sweep sweep_of(const RoofOptions& options, double span) {
-  const double pitch = std::clamp(pitch_of(options), 0.01, 89.0), rise = rise_of(pitch);
-  switch (options.kind) {
-    case RoofKind::shed:
-      return {{{0, span, 0, span * rise}}, false};
-    case RoofKind::saltbox: {
-      const double back = rise_of(options.upper_pitch > 0 ? options.upper_pitch : pitch * 0.6);
-      return two_planes(span, span * back / (rise + back), rise);
-    }
-    case RoofKind::sawtooth:
-      return teeth(span, options.tooth, rise);
-    case RoofKind::barrel:
-      return arc(span, pitch);
-    default:
-      return two_planes(span, span / 2, rise);
-  }
-}
-
-void scale_to(Sweep& sweep, double height) {
-  const double scale = height / sweep.highest();
-  for (Sweep::Strip& strip : sweep.strips) {
-    strip.low *= scale;
-    strip.high *= scale;
-  }
-}
 
 using Key = std::pair<double, double>;
 Key key_of(Vec2 p) { return {p.x, p.y}; }
@@ -148,8 +62,7 @@ class SweptRoof {
     overhang_ = options.kind == RoofKind::sawtooth ? 0 : options.overhang;
     thickness_ = overhang_ > 0 ? thickness_of(options) : 0;
     roof.low = thickness_ > 0 && thickness_ < options.thickness;
-    sweep_ = sweep_of(options, span);
-    if (options.height > 0) scale_to(sweep_, options.height - thickness_);
+    sweep_ = sweep_of(options, span, options.height > 0 ? options.height - thickness_ : 0);
     move_levels();
     frame_.add_level(0);
     for (const Sweep::Strip& strip : sweep_.strips) frame_.add_level(strip.end);
