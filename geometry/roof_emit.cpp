@@ -18,47 +18,45 @@ constexpr double on_the_line = 2e-5;  // metres: what cleaning drops without bei
 class WallTops {
  public:
   WallTops(const RoofPlan& plan, const SkeletonOn& on, const Polygon& original)
-      : plan_(plan), chains_(plan.edges()) {
-    std::vector<uint32_t> next(original.points.size());
-    for (std::size_t r = 0; r < original.rings(); ++r) {
-      const uint32_t begin = original.ring_begin(r), end = original.ring_ends[r];
-      for (uint32_t i = begin; i < end; ++i) next[i] = i + 1 == end ? begin : i + 1;
-    }
-    for (uint32_t e = 0; e < plan.edges(); ++e) {
-      const uint32_t last = on.points[plan.next[e]];
-      std::size_t steps = 0;
-      chains_[e].push_back(original.points[on.points[e]]);
-      for (uint32_t i = on.points[e]; steps < next.size(); ++steps) {
-        const bool spike = on.edge_of[i] == Cleaned::no_edge;
-        i = next[i];
-        if (i == last) break;
-        if (!spike && on.edge_of[i] != Cleaned::no_edge) chains_[e].push_back(original.points[i]);
-      }
-      chains_[e].push_back(original.points[last]);
-    }
-  }
+      : plan_(plan), on_(on), original_(original) {}
 
-  /// All points of the wall's top on edge e.
-  std::span<const Vec2> chain(uint32_t e) const { return chains_[e]; }
+  /// Calls f for all points of the wall's top on edge e, but those of spikes.
+  template <class F>
+  void for_each_point(uint32_t e, F f) const {
+    const uint32_t first = on_.points[e], last = on_.points[plan_.next[e]];
+    std::size_t r = 0;
+    while (original_.ring_ends[r] <= first) ++r;
+    const uint32_t begin = original_.ring_begin(r), end = original_.ring_ends[r];
+    f(original_.points[first]);
+    for (uint32_t i = first, steps = begin; steps < end; ++steps) {
+      const bool spike = on_.edge_of[i] == Cleaned::no_edge;
+      i = i + 1 == end ? begin : i + 1;
+      if (i == last) break;
+      if (!spike && on_.edge_of[i] != Cleaned::no_edge) f(original_.points[i]);
+    }
+    f(original_.points[last]);
+  }
   /// Those between two places on the edge, as far as the roof can take them in.
   std::vector<Vec3> between(uint32_t e, Vec3 from, Vec3 to) const {
     std::vector<Vec3> points;
     const Vec2 along = left_of(plan_.lines[e].normal) * -1;
     const double end = dot(along, Vec2{to.x, to.y});
     double last = dot(along, Vec2{from.x, from.y});
-    for (std::size_t i = 1; i + 1 < chains_[e].size(); ++i) {
-      const Vec2 p = chains_[e][i];
+    for_each_point(e, [&](Vec2 p) {
       const double s = dot(along, p);
-      if (s <= last || s >= end || std::abs(plan_.lines[e].distance(p)) > on_the_line) continue;
+      const bool corner = (p.x == from.x && p.y == from.y) || (p.x == to.x && p.y == to.y);
+      if (corner || s <= last || s >= end) return;
+      if (std::abs(plan_.lines[e].distance(p)) > on_the_line) return;
       points.push_back({p.x, p.y, 0});
       last = s;
-    }
+    });
     return points;
   }
 
  private:
   const RoofPlan& plan_;
-  std::vector<std::vector<Vec2>> chains_;
+  const SkeletonOn& on_;
+  const Polygon& original_;
 };
 
 class Emitter {
@@ -150,12 +148,12 @@ class Emitter {
     inner.insert(inner.begin(), begin);
     inner.push_back(end);
     std::size_t k = 0;
-    for (const Vec2 p : tops_.chain(e)) {
+    tops_.for_each_point(e, [&](Vec2 p) {
       outer.push_back({p.x, p.y, 0});
-      if (k + 2 >= inner.size() || outer.back() != inner[k + 1]) continue;
+      if (k + 2 >= inner.size() || outer.back() != inner[k + 1]) return;
       add_level(e, outer, {inner[k], inner[k + 1]});
       outer = {inner[++k]};
-    }
+    });
     add_level(e, outer, {inner[k], inner[k + 1]});
   }
   // A strip that changes sides is two triangles.
