@@ -42,18 +42,34 @@ std::optional<Vec3> meet(const WallLine& a, const WallLine& b, const WallLine& c
 std::optional<SkeletonMesh> raw_skeleton(const Polygon& polygon);
 
 /// The skeleton of a convex quadrilateral in closed form: six nodes, the ridge from node 4 (on the
-/// face of `first`) to node 5, which coincide over a square. nullopt for other polygons.
+/// face of `first`) to node 5, which coincide where it would be shorter than 1e-5 m. nullopt for
+/// other polygons.
 struct QuadSkeleton {
   SkeletonMesh mesh;
   uint32_t first = 0;  ///< the edge whose face is the triangle with node 4
 };
 std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon);
 
-/// raw_skeleton of the polygon with every point moved by `jitter` metres at most, which keeps CGAL
-/// away from events at the same time; then nodes that belong together are joined and moved to where
-/// the planes of the polygon itself meet. nullopt unless it passes every check: a face for each
-/// edge, closed, planar, and covering the polygon.
-std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, double jitter);
+/// The trace of a wavefront in doubles: some ten times as quick as CGAL, and with less care. A
+/// wrong result is as possible as none, so it is for checked_skeleton.
+std::optional<SkeletonMesh> wavefront_skeleton(const Polygon& polygon);
+
+/// Who makes a skeleton.
+enum class SkeletonMaker : uint8_t { closed_form, wavefront, cgal };
+
+/// A way to a skeleton: the wavefront's or CGAL's, of the polygon with every point moved by
+/// `jitter` metres at most, which keeps events apart; then all nodes are moved to where the planes
+/// of the polygon itself meet, and those that are closer than `weld` joined. Too small a jitter
+/// lets CGAL crash, too large a one turns over what is smaller.
+struct SkeletonWay {
+  SkeletonMaker maker;
+  double jitter, weld;  ///< metres
+};
+
+/// nullopt unless the skeleton passes every check: a face for each edge, closed, planar within
+/// 5e-6 m, no face across itself, and covering the polygon within 1e-6 of its area. The same as
+/// quad_skeleton for the closed form, which needs no jitter.
+std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, const SkeletonWay& way);
 
 /// The first rung of the ladder that gives a checked skeleton, with the polygon it stands on.
 struct SkeletonOn {
@@ -65,6 +81,7 @@ struct SkeletonOn {
   bool moved = false;  ///< corners have not the coordinates of their original points
   int fallback = 1;    ///< 1 as asked, 2 moved by millimetres or where it touched itself,
                        ///< 3 simplified by centimetres
+  SkeletonMaker maker = SkeletonMaker::wavefront;
   std::optional<uint32_t> quad_first;  ///< QuadSkeleton::first, where it is one
 };
 std::optional<SkeletonOn> best_skeleton(const Polygon& polygon);

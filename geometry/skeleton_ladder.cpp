@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "geometry/clean.hpp"
 #include "geometry/roof.hpp"
@@ -10,21 +11,27 @@
 namespace mansard {
 namespace {
 
-// Time grows with the square of the number of points, so each rung has a limit of them.
+constexpr std::array ways{
+    SkeletonWay{SkeletonMaker::wavefront, 1e-8, 1e-5},
+    SkeletonWay{SkeletonMaker::wavefront, 1e-7, 1e-6},
+    SkeletonWay{SkeletonMaker::cgal, 1e-6, 1e-6},
+};
+constexpr std::size_t most_for_cgal = 400;  // points, a fifth of a second
+
+// Time grows with the square of the number of points, so there is a limit of them.
 struct Rung {
   double grid;  // metres, in the frame of the longest wall; 0: none
   CleanTolerance tolerance;
-  double jitter;
   int fallback;
 };
 
 constexpr std::array rungs{
-    Rung{0, {1e-5, 1e-5, 1e-6, 2e-6, 0.02, 400}, 1e-6, 1},
-    Rung{1e-3, {5e-4, 5e-4, 1e-3, 1e-4, 0.02, 600}, 1e-5, 2},
-    Rung{0, {0.01, 0.005, 0.05, 1e-4, 0.02, 600}, 1e-5, 3},
-    Rung{0, {0.02, 0.02, 1, 0.005, 0.03, 600}, 1e-5, 3},
-    Rung{0, {0.05, 0.05, 1, 0.01, 0.06, 800}, 1e-5, 3},
-    Rung{0, {0.2, 0.2, 4, 0.02, 0.1, 1200}, 1e-5, 3},
+    Rung{0, {1e-5, 1e-5, 1e-6, 2e-6, 0.02, 4000}, 1},
+    Rung{1e-3, {5e-4, 5e-4, 1e-3, 1e-4, 0.02, 4000}, 2},
+    Rung{0, {0.01, 0.005, 0.05, 1e-4, 0.02, 4000}, 3},
+    Rung{0, {0.02, 0.02, 1, 0.005, 0.03, 4000}, 3},
+    Rung{0, {0.05, 0.05, 1, 0.01, 0.06, 4000}, 3},
+    Rung{0, {0.2, 0.2, 4, 0.02, 0.1, 4000}, 3},
 };
 
 // Rounds to a grid along the longest wall.
@@ -42,6 +49,24 @@ Polygon snapped(const Polygon& polygon, double grid) {
   return result;
 }
 
+bool add_skeleton(SkeletonOn& on) {
+  if (auto quad = quad_skeleton(on.polygon)) {
+    on.mesh = std::move(quad->mesh);
+    on.quad_first = quad->first;
+    on.maker = SkeletonMaker::closed_form;
+    return true;
+  }
+  for (const SkeletonWay& way : ways) {
+    if (way.maker == SkeletonMaker::cgal && on.polygon.points.size() > most_for_cgal) continue;
+    if (auto mesh = checked_skeleton(on.polygon, way)) {
+      on.mesh = std::move(*mesh);
+      on.maker = way.maker;
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<SkeletonOn> best_skeleton(const Polygon& polygon) {
@@ -50,24 +75,14 @@ std::optional<SkeletonOn> best_skeleton(const Polygon& polygon) {
     std::optional<Cleaned> cleaned =
         clean(snaps ? snapped(polygon, rung.grid) : polygon, rung.tolerance);
     if (!cleaned) continue;
-    const bool moved = cleaned->moved || snaps;
-    SkeletonOn on{{},
-                  std::move(cleaned->polygon),
-                  std::move(cleaned->points),
-                  std::move(cleaned->edges),
-                  std::move(cleaned->edge_of),
-                  moved,
-                  moved ? std::max(rung.fallback, 2) : rung.fallback,
-                  {}};
-    if (auto quad = quad_skeleton(on.polygon)) {
-      on.mesh = std::move(quad->mesh);
-      on.quad_first = quad->first;
-      return on;
-    }
-    if (auto mesh = checked_skeleton(on.polygon, rung.jitter)) {
-      on.mesh = std::move(*mesh);
-      return on;
-    }
+    SkeletonOn on;
+    on.polygon = std::move(cleaned->polygon);
+    on.points = std::move(cleaned->points);
+    on.edges = std::move(cleaned->edges);
+    on.edge_of = std::move(cleaned->edge_of);
+    on.moved = cleaned->moved || snaps;
+    on.fallback = on.moved ? std::max(rung.fallback, 2) : rung.fallback;
+    if (add_skeleton(on)) return on;
   }
   return std::nullopt;
 }

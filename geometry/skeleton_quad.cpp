@@ -54,7 +54,8 @@ std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon) {
   const auto last = meet(lines[left], lines[right], lines[across]);
   if (!last || last->z < first->z - 1e-9) return std::nullopt;
 
-  const Vec3 end = length(*last - *first) < 1e-7 ? *first : *last;
+  Vec3 end = *last;
+  if (length(end - *first) < 1e-5) first = end = mix(*first, end, 0.5);
   SkeletonMesh& mesh = quad.mesh;
   for (const Vec2 p : polygon.points) mesh.nodes.push_back({p.x, p.y, 0});
   for (const Vec3 p : {*first, end}) mesh.nodes.push_back({p.x + origin.x, p.y + origin.y, p.z});

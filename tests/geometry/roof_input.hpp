@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -14,6 +15,9 @@
 #include "geometry/polygon.hpp"
 
 namespace mansard::test {
+
+/// Whether to take one's time over all real footprints.
+inline const bool long_run = std::getenv("MANSARD_LONG_TESTS") != nullptr;
 
 struct Named {
   std::string name;
