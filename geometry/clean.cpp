@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mansard {
 namespace {
@@ -252,27 +253,83 @@ void move_apart(Polygon& polygon, const std::vector<Contact>& touching, double p
   }
 }
 
-}  // namespace
+// What a look at every corner says of a ring.
+struct Look {
+  bool tidy = true;    // nothing to drop or to turn
+  bool convex = true;  // so that it can not touch itself
+};
 
-std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& tolerance) {
-  constexpr std::size_t hopeless = 20000;  // points: it would take seconds, and then be refused
-  if (polygon.points.size() > hopeless) return std::nullopt;
-  if (!finite(polygon)) return std::nullopt;
-  Cleaned cleaned;
-  std::vector<char> spikes(polygon.points.size(), 0);
+// Asks for a little more than drop_near and drop_flat do.
+Look look_at(std::span<const Vec2> ring, const CleanTolerance& tolerance, bool hole) {
+  const std::size_t n = ring.size();
+  if (n < 3) return {false, false};
+  Look look;
+  const double near = tolerance.near * tolerance.near, flat = tolerance.flat * tolerance.flat;
+  double twice = 0, last_x = 0;
+  int turns_of_x = 0;
+  Vec2 in = ring[0] - ring[n - 1];
+  double in2 = dot(in, in);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 out = ring[i + 1 < n ? i + 1 : 0] - ring[i], over = in + out;
+    const double out2 = dot(out, out), turn = cross(in, out);
+    look.tidy &= out2 > near && turn * turn > flat * std::max({in2, out2, dot(over, over)});
+    look.convex &= turn > 0;
+    twice += cross(ring[i] - ring[0], out);
+    turns_of_x += last_x * out.x < 0;
+    if (out.x != 0) last_x = out.x;
+    in = out;
+    in2 = out2;
+  }
+  look.convex &= turns_of_x <= 2;  // once around
+  look.tidy &= hole ? twice < -2 * tolerance.hole : twice > 2e-6;
+  return look;
+}
+
+void take_whole(Cleaned& cleaned, const Polygon& polygon) {
+  cleaned.polygon = polygon;
+  cleaned.points.resize(polygon.points.size());
+  std::iota(cleaned.points.begin(), cleaned.points.end(), 0u);
+}
+
+bool take_cleaned(Cleaned& cleaned, const Polygon& polygon, const CleanTolerance& tolerance,
+                  std::vector<char>& spikes) {
+  spikes.assign(polygon.points.size(), 0);
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     Ring ring = ring_of(polygon, r, spikes);
     if (clean_ring(ring, polygon, tolerance, r > 0)) {
       add_ring(cleaned, ring);
     } else if (r == 0) {
-      return std::nullopt;
+      return false;
     }
   }
-  if (cleaned.polygon.empty() || cleaned.polygon.points.size() > tolerance.most_points) {
+  return true;
+}
+
+}  // namespace
+
+std::optional<Cleaned> clean(const Polygon& polygon, const CleanTolerance& tolerance) {
+  constexpr std::size_t hopeless = 20000;  // points: it would take seconds, and then be refused
+  if (polygon.empty() || polygon.points.size() > hopeless || !finite(polygon)) return std::nullopt;
+  Look look;
+  for (std::size_t r = 0; r < polygon.rings() && look.tidy; ++r) {
+    look = look_at(polygon.ring(r), tolerance, r > 0);
+  }
+  Cleaned cleaned;
+  std::vector<char> spikes;
+  if (look.tidy) {
+    take_whole(cleaned, polygon);
+  } else if (!take_cleaned(cleaned, polygon, tolerance, spikes)) {
     return std::nullopt;
   }
+  if (cleaned.polygon.points.size() > tolerance.most_points) return std::nullopt;
   if (cleaned.polygon.rings() > 1) drop_stray_holes(cleaned);
-  map_edges(cleaned, polygon, spikes);
+  if (look.tidy && cleaned.polygon.rings() == polygon.rings()) {
+    cleaned.edges = cleaned.edge_of = cleaned.points;
+  } else {
+    spikes.resize(polygon.points.size());
+    map_edges(cleaned, polygon, spikes);
+  }
+  if (look.tidy && look.convex && polygon.rings() == 1) return cleaned;
   for (int attempt = 0; attempt < 3; ++attempt) {
     const std::vector<Contact> touching = contacts(cleaned.polygon, tolerance.gap);
     if (touching.empty()) return cleaned;

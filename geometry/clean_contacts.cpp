@@ -12,7 +12,7 @@ struct Edge {
   double low_x, high_x, low_y, high_y;
 };
 
-std::vector<Edge> edges_by_x(const Polygon& polygon) {
+std::vector<Edge> edges_of(const Polygon& polygon) {
   std::vector<Edge> edges;
   edges.reserve(polygon.points.size());
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
@@ -24,17 +24,15 @@ std::vector<Edge> edges_by_x(const Polygon& polygon) {
                        std::max(a.y, b.y)});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return a.low_x != b.low_x ? a.low_x < b.low_x : a.number < b.number;
-  });
   return edges;
 }
 
+// Squared.
 double distance(Vec2 p, const Edge& e) {
-  const Vec2 d = e.to - e.from;
-  const double l2 = dot(d, d);
-  const double t = l2 > 0 ? std::clamp(dot(p - e.from, d) / l2, 0.0, 1.0) : 0;
-  return length(p - (e.from + d * t));
+  const Vec2 d = e.to - e.from, to_p = p - e.from;
+  const double l2 = dot(d, d), along = dot(to_p, d);
+  const Vec2 off = along <= 0 ? to_p : along >= l2 ? p - e.to : to_p - d * (along / l2);
+  return dot(off, off);
 }
 
 bool cross_each_other(const Edge& a, const Edge& b) {
@@ -47,7 +45,7 @@ bool cross_each_other(const Edge& a, const Edge& b) {
 void add_contacts(const Edge& a, const Edge& b, double gap, std::vector<Contact>& found) {
   const std::size_t before = found.size();
   const auto try_point = [&](Vec2 p, uint32_t number, const Edge& e) {
-    if (number != e.number && number != e.next && distance(p, e) < gap) {
+    if (number != e.number && number != e.next && distance(p, e) < gap * gap) {
       found.push_back({number, e.number});
     }
   };
@@ -64,12 +62,24 @@ void add_contacts(const Edge& a, const Edge& b, double gap, std::vector<Contact>
 }  // namespace
 
 std::vector<Contact> contacts(const Polygon& polygon, double gap) {
-  const std::vector<Edge> edges = edges_by_x(polygon);
+  std::vector<Edge> edges = edges_of(polygon);
+  constexpr std::size_t few = 24;  // edges, to compare all with all
+  const bool sweep = edges.size() > few;
+  if (sweep) {
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return a.low_x != b.low_x ? a.low_x < b.low_x : a.number < b.number;
+    });
+  }
   std::vector<Contact> found;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge& a = edges[i];
-    for (std::size_t j = i + 1; j < edges.size() && edges[j].low_x <= a.high_x + gap; ++j) {
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
       const Edge& b = edges[j];
+      if (b.low_x > a.high_x + gap) {
+        if (sweep) break;
+        continue;
+      }
+      if (a.low_x > b.high_x + gap) continue;
       if (b.low_y <= a.high_y + gap && a.low_y <= b.high_y + gap) add_contacts(a, b, gap, found);
     }
     if (found.size() > edges.size()) break;  // hopeless, and quadratic to list

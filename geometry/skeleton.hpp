@@ -41,14 +41,10 @@ std::optional<Vec3> meet(const WallLine& a, const WallLine& b, const WallLine& c
 /// gives none. What is not clean may crash or hang it (CGAL 5.5): see clean.hpp.
 std::optional<SkeletonMesh> raw_skeleton(const Polygon& polygon);
 
-/// The skeleton of a convex quadrilateral in closed form: six nodes, the ridge from node 4 (on the
-/// face of `first`) to node 5, which coincide where it would be shorter than 1e-5 m. nullopt for
-/// other polygons.
-struct QuadSkeleton {
-  SkeletonMesh mesh;
-  uint32_t first = 0;  ///< the edge whose face is the triangle with node 4
-};
-std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon);
+/// The skeleton of a convex quadrilateral in closed form: six nodes, the ridge from node 4, the tip
+/// of a triangle, to node 5; they coincide where it would be shorter than 1e-5 m. nullopt for other
+/// polygons.
+std::optional<SkeletonMesh> quad_skeleton(const Polygon& polygon);
 
 /// The trace of a wavefront in doubles: some ten times as quick as CGAL, and with less care. A
 /// wrong result is as possible as none, so it is for checked_skeleton.
@@ -67,8 +63,8 @@ struct SkeletonWay {
 };
 
 /// nullopt unless the skeleton passes every check: a face for each edge, closed, planar within
-/// 5e-6 m, no face across itself, and covering the polygon within 1e-6 of its area. The same as
-/// quad_skeleton for the closed form, which needs no jitter.
+/// 5e-6 m and 1e-3 degrees, no face across itself, and covering the polygon within 1e-6 of its
+/// area. The closed form needs neither jitter nor weld.
 std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, const SkeletonWay& way);
 
 /// The first rung of the ladder that gives a checked skeleton, with the polygon it stands on.
@@ -82,7 +78,8 @@ struct SkeletonOn {
   int fallback = 1;    ///< 1 as asked, 2 moved by millimetres or where it touched itself,
                        ///< 3 simplified by centimetres
   SkeletonMaker maker = SkeletonMaker::wavefront;
-  std::optional<uint32_t> quad_first;  ///< QuadSkeleton::first, where it is one
+  /// Of a closed form: the edge whose face is the triangle with node 4.
+  std::optional<uint32_t> quad_first;
 };
 std::optional<SkeletonOn> best_skeleton(const Polygon& polygon);
 

@@ -15,32 +15,42 @@ double hashed(uint64_t number) {
   return static_cast<double>(x >> 11) * 0x1p-52 - 1;
 }
 
-Polygon jittered(const Polygon& polygon, double by) {
-  Polygon moved = polygon;
-  for (std::size_t i = 0; i < moved.points.size(); ++i) {
-    moved.points[i] = moved.points[i] + Vec2{hashed(2 * i), hashed(2 * i + 1)} * (by * 0.7);
+// In local coordinates, so that far away polygons lose no digits; and without tags.
+void place(Polygon& local, const Polygon& polygon, double jitter) {
+  const Vec2 origin = polygon.points[0];
+  local.points.resize(polygon.points.size());
+  for (std::size_t i = 0; i < local.points.size(); ++i) {
+    const Vec2 p = polygon.points[i] - origin;
+    local.points[i] = p + Vec2{hashed(2 * i), hashed(2 * i + 1)} * (jitter * 0.7);
   }
-  return moved;
+}
+
+std::optional<SkeletonMesh> made(const Polygon& local, SkeletonMaker maker) {
+  if (maker == SkeletonMaker::cgal) return raw_skeleton(local);
+  if (maker == SkeletonMaker::wavefront) return wavefront_skeleton(local);
+  return quad_skeleton(local);
 }
 
 }  // namespace
 
 std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, const SkeletonWay& way) {
-  Polygon local = polygon;  // so that far away polygons lose no digits
-  const Vec2 origin = polygon.points[0];
-  translate(local, origin * -1);
-  const auto raw = way.maker == SkeletonMaker::cgal ? raw_skeleton : wavefront_skeleton;
-  std::optional<SkeletonMesh> mesh = raw(jittered(local, way.jitter));
+  Polygon local;
+  local.ring_ends = polygon.ring_ends;
+  place(local, polygon, way.jitter);
+  std::optional<SkeletonMesh> mesh = made(local, way.maker);
   if (!mesh) return std::nullopt;
-  settle(*mesh, local, way.weld);
-  if (!is_sound(*mesh, local)) return std::nullopt;
-  for (std::size_t i = 0; i < mesh->nodes.size(); ++i) {
-    Vec3& node = mesh->nodes[i];
+  place(local, polygon, 0);
+  Spokes spokes(*mesh);
+  Workpiece piece{local, wall_lines(local), std::move(*mesh), std::move(spokes)};
+  if (way.maker != SkeletonMaker::closed_form) settle(piece, way.weld);
+  if (!is_sound(piece)) return std::nullopt;
+  for (std::size_t i = 0; i < piece.mesh.nodes.size(); ++i) {
+    Vec3& node = piece.mesh.nodes[i];
     const bool contour = i < polygon.points.size();
-    const Vec2 p = contour ? polygon.points[i] : Vec2{node.x, node.y} + origin;
+    const Vec2 p = contour ? polygon.points[i] : Vec2{node.x, node.y} + polygon.points[0];
     node = {p.x, p.y, node.z};
   }
-  return mesh;
+  return std::move(piece.mesh);
 }
 
 }  // namespace mansard

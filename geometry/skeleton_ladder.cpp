@@ -12,6 +12,7 @@ namespace mansard {
 namespace {
 
 constexpr std::array ways{
+    SkeletonWay{SkeletonMaker::closed_form, 0, 0},
     SkeletonWay{SkeletonMaker::wavefront, 1e-8, 1e-5},
     SkeletonWay{SkeletonMaker::wavefront, 1e-7, 1e-6},
     SkeletonWay{SkeletonMaker::cgal, 1e-6, 1e-6},
@@ -50,19 +51,17 @@ Polygon snapped(const Polygon& polygon, double grid) {
 }
 
 bool add_skeleton(SkeletonOn& on) {
-  if (auto quad = quad_skeleton(on.polygon)) {
-    on.mesh = std::move(quad->mesh);
-    on.quad_first = quad->first;
-    on.maker = SkeletonMaker::closed_form;
-    return true;
-  }
   for (const SkeletonWay& way : ways) {
     if (way.maker == SkeletonMaker::cgal && on.polygon.points.size() > most_for_cgal) continue;
-    if (auto mesh = checked_skeleton(on.polygon, way)) {
-      on.mesh = std::move(*mesh);
-      on.maker = way.maker;
-      return true;
+    auto mesh = checked_skeleton(on.polygon, way);
+    if (!mesh) continue;
+    on.mesh = std::move(*mesh);
+    on.maker = way.maker;
+    if (way.maker != SkeletonMaker::closed_form) return true;
+    for (uint32_t e = 0; e < 4; ++e) {
+      if (on.mesh.face(e).size() == 3 && on.mesh.face(e)[2] == 4) on.quad_first = e;
     }
+    return true;
   }
   return false;
 }

@@ -29,7 +29,7 @@ std::optional<Vec3> meet(const WallLine& a, const WallLine& b, const WallLine& c
   return Vec3{p.x, p.y, (a.distance(p) + b.distance(p) + c.distance(p)) / 3};
 }
 
-std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon) {
+std::optional<SkeletonMesh> quad_skeleton(const Polygon& polygon) {
   if (polygon.points.size() != 4 || polygon.rings() != 1) return std::nullopt;
   // In coordinates of its first point, so that far away ones lose no digits.
   const Vec2 origin = polygon.points[0];
@@ -41,22 +41,25 @@ std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon) {
     lines[i] = wall_line(a - origin, b - origin);
   }
   // The edge that the shrinking outline loses first; the three others meet in the last point.
-  QuadSkeleton quad;
+  uint32_t e = 0;
   std::optional<Vec3> first;
   for (uint32_t i = 0; i < 4; ++i) {
     const auto at = meet(lines[(i + 3) % 4], lines[i], lines[(i + 1) % 4]);
     if (!at || at->z <= 0 || (first && at->z >= first->z)) continue;
     first = at;
-    quad.first = i;
+    e = i;
   }
   if (!first) return std::nullopt;
-  const uint32_t e = quad.first, right = (e + 1) % 4, across = (e + 2) % 4, left = (e + 3) % 4;
+  const uint32_t right = (e + 1) % 4, across = (e + 2) % 4, left = (e + 3) % 4;
   const auto last = meet(lines[left], lines[right], lines[across]);
   if (!last || last->z < first->z - 1e-9) return std::nullopt;
 
   Vec3 end = *last;
   if (length(end - *first) < 1e-5) first = end = mix(*first, end, 0.5);
-  SkeletonMesh& mesh = quad.mesh;
+  SkeletonMesh mesh;
+  mesh.nodes.reserve(6);
+  mesh.corners.reserve(14);
+  mesh.face_ends.reserve(4);
   for (const Vec2 p : polygon.points) mesh.nodes.push_back({p.x, p.y, 0});
   for (const Vec3 p : {*first, end}) mesh.nodes.push_back({p.x + origin.x, p.y + origin.y, p.z});
   for (uint32_t i = 0; i < 4; ++i) {
@@ -67,7 +70,7 @@ std::optional<QuadSkeleton> quad_skeleton(const Polygon& polygon) {
     if (i == left) mesh.corners.insert(mesh.corners.end(), {4, 5});
     mesh.face_ends.push_back(static_cast<uint32_t>(mesh.corners.size()));
   }
-  return quad;
+  return mesh;
 }
 
 }  // namespace mansard

@@ -52,14 +52,12 @@ Vec3 settled(Vec3 node, const std::vector<WallLine>& lines, std::span<const Spok
   return node;
 }
 
-void settle_nodes(SkeletonMesh& mesh, const Polygon& polygon, const std::vector<WallLine>& lines) {
-  const auto contour = static_cast<uint32_t>(polygon.points.size());
-  for (uint32_t i = 0; i < contour; ++i) {
-    mesh.nodes[i] = {polygon.points[i].x, polygon.points[i].y, 0};
-  }
-  const Spokes spokes(mesh);
-  for (uint32_t i = contour; i < mesh.nodes.size(); ++i) {
-    mesh.nodes[i] = settled(mesh.nodes[i], lines, spokes.at(i));
+void settle_nodes(Workpiece& piece) {
+  const std::vector<Vec2>& points = piece.polygon.points;
+  std::vector<Vec3>& nodes = piece.mesh.nodes;
+  for (std::size_t i = 0; i < points.size(); ++i) nodes[i] = {points[i].x, points[i].y, 0};
+  for (std::size_t i = points.size(); i < nodes.size(); ++i) {
+    nodes[i] = settled(nodes[i], piece.lines, piece.spokes.at(static_cast<uint32_t>(i)));
   }
 }
 
@@ -150,10 +148,11 @@ Spokes::Spokes(const SkeletonMesh& mesh) : spokes(mesh.corners.size()), ends(mes
   if (!ends.empty()) ends.back() = static_cast<uint32_t>(spokes.size());
 }
 
-void settle(SkeletonMesh& mesh, const Polygon& polygon, double reach) {
-  const std::vector<WallLine> lines = wall_lines(polygon);
-  settle_nodes(mesh, polygon, lines);
-  if (weld(mesh, polygon.points.size(), reach)) settle_nodes(mesh, polygon, lines);
+void settle(Workpiece& piece, double reach) {
+  settle_nodes(piece);
+  if (!weld(piece.mesh, piece.polygon.points.size(), reach)) return;
+  piece.spokes = Spokes(piece.mesh);
+  settle_nodes(piece);
 }
 
 }  // namespace mansard

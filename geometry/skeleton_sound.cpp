@@ -12,10 +12,10 @@ constexpr double flat = 5e-6, flat_share = 3e-5;
 constexpr double backwards = 1e-6;  // metres
 
 // Every arc has a face at each side, and the eaves one face.
-bool is_closed(const SkeletonMesh& mesh, const Polygon& polygon) {
-  const Spokes spokes(mesh);
+bool is_closed(const Workpiece& piece) {
+  const auto& [polygon, lines, mesh, spokes] = piece;
   const auto count = [&](uint32_t from, uint32_t to) {
-    const auto at = spokes.at(from);
+    const auto at = piece.spokes.at(from);
     return std::count_if(at.begin(), at.end(), [&](Spokes::Spoke s) { return s.to == to; });
   };
   bool closed = true;
@@ -99,19 +99,19 @@ double checked_face(const SkeletonMesh& mesh, uint32_t f, const WallLine& line, 
 
 }  // namespace
 
-bool is_sound(const SkeletonMesh& mesh, const Polygon& polygon) {
-  if (mesh.faces() != polygon.points.size() || !is_closed(mesh, polygon)) return false;
+bool is_sound(const Workpiece& piece) {
+  const Polygon& polygon = piece.polygon;
+  const std::size_t n = polygon.points.size();
+  if (piece.mesh.faces() != n || !is_closed(piece)) return false;
   FaceView view;
   double covered = 0;
-  bool sound = true;
-  for_each_edge(polygon, [&](uint32_t e, Vec2 a, Vec2 b) {
-    if (!sound) return;
-    const double twice = checked_face(mesh, e, wall_line(a, b), view);
-    sound = twice > 0;
+  for (uint32_t e = 0; e < n; ++e) {
+    const double twice = checked_face(piece.mesh, e, piece.lines[e], view);
+    if (!(twice > 0)) return false;
     covered += twice / 2;
-  });
+  }
   const double whole = area(polygon);
-  return sound && std::abs(covered - whole) <= 1e-6 * whole;
+  return std::abs(covered - whole) <= 1e-6 * whole;
 }
 
 }  // namespace mansard

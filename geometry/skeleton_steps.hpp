@@ -25,12 +25,20 @@ struct Spokes {
   }
 };
 
+/// A skeleton on its way, its polygon, the lines of the polygon's edges, and the mesh's spokes.
+struct Workpiece {
+  const Polygon& polygon;
+  std::vector<WallLine> lines;
+  SkeletonMesh mesh;
+  Spokes spokes;
+};
+
 /// Moves every node to where the planes of its faces meet, and joins nodes that are then closer
 /// than `reach` along an arc. Drops nodes that no face uses.
-void settle(SkeletonMesh& mesh, const Polygon& polygon, double reach);
+void settle(Workpiece& piece, double reach);
 
-/// A face for each edge, from its start; closed; planar within 5e-6 m; no face turned over or
-/// across itself; together they cover the polygon within 1e-6 of its area.
-bool is_sound(const SkeletonMesh& mesh, const Polygon& polygon);
+/// A face for each edge, from its start; closed; planar within 5e-6 m and 1e-3 degrees; no face
+/// turned over or across itself; together they cover the polygon within 1e-6 of its area.
+bool is_sound(const Workpiece& piece);
 
 }  // namespace mansard

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <string>
 #include <utility>
@@ -10,6 +11,8 @@
 #include "geometry/skeleton.hpp"
 
 namespace mansard::test {
+
+inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 inline Vec2 flat(Vec3 p) { return {p.x, p.y}; }
 
