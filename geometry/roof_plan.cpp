@@ -138,7 +138,7 @@ class Crossings {
 // A level beside a node would make slivers, and one between the two places of a node (the tip of a
 // ridge that falls towards its verge) would bend the one and not the other: it moves below them.
 double clear_of_nodes(const RoofPlan& plan, double level) {
-  constexpr double near = 1e-5;
+  constexpr double near = 1e-6;
   for (int attempt = 0; attempt < 16; ++attempt) {
     double clear = level;
     for (const RoofPlan::Node& node : plan.nodes) {

@@ -19,6 +19,7 @@ using Key = std::pair<double, double>;
 Key key_of(Vec2 p) { return {p.x, p.y}; }
 
 constexpr double same_level = 1e-7;  // metres
+constexpr double thinnest = 0.02;    // metres; a sliver has no room for a profile
 
 // The plan in the frame of the sweep: x along the ridge, y the distance s from the front. Points
 // know where they came from, so that they go back to the very same place.
@@ -99,7 +100,8 @@ class SweptRoof {
     for (std::size_t k = 0; k + 1 < sweep_.strips.size(); ++k) {
       for (const Vec2 p : footprint_.points) {
         const double s = frame_.in(p).y;
-        if (std::abs(s - sweep_.strips[k].end) > 1e-3) continue;
+        const bool inside = s > sweep_.strips[k].begin && s < sweep_.strips[k + 1].end;
+        if (!inside || std::abs(s - sweep_.strips[k].end) > 1e-3) continue;
         sweep_.strips[k].end = sweep_.strips[k + 1].begin = s;
         break;
       }
@@ -315,6 +317,7 @@ std::optional<Roof> swept_roof(const Polygon& polygon, const RoofOptions& option
        {CleanTolerance{}, CleanTolerance{0.02, 0.02, 1, 0.005, 0.03, 2000}}) {
     const auto cleaned = clean(polygon, tolerance);
     if (!cleaned) continue;
+    if (2 * area(cleaned->polygon) < thinnest * perimeter(cleaned->polygon)) return std::nullopt;
     Roof roof;
     SweptRoof(roof, cleaned->polygon, options, direction_of(polygon, options)).build();
     const bool own = options.kind >= RoofKind::shed && options.kind != RoofKind::mansard &&

@@ -62,10 +62,11 @@ inline std::string broken_face(const Roof& roof, double flatness) {
   return {};
 }
 
-// Edges without an opposite one, which must be those that stand on the walls.
-inline std::string open_edge(const Roof& roof, const Polygon& polygon, double tolerance) {
-  using Key = std::tuple<double, double, double, double, double, double>;
-  std::map<Key, int> count;
+using FootEdge = std::tuple<double, double, double, double, double, double>;
+
+/// Edges without an opposite one, and how often.
+inline std::map<FootEdge, int> open_edges(const Roof& roof) {
+  std::map<FootEdge, int> count;
   const auto add = [&](const std::vector<Vec3>& loop) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Vec3 a = loop[i] + Vec3{}, b = loop[(i + 1) % loop.size()] + Vec3{};
@@ -81,6 +82,27 @@ inline std::string open_edge(const Roof& roof, const Polygon& polygon, double to
     add(face.loop);
     for (const auto& hole : face.holes) add(hole);
   }
+  return count;
+}
+
+/// The foot of a roof as asked has the walls' tops edge by edge, so that both make one closed
+/// solid.
+inline std::string cracked_foot(const Roof& roof, const Polygon& polygon) {
+  const std::map<FootEdge, int> open = open_edges(roof);
+  std::size_t found = 0;
+  for_each_edge(polygon, [&](uint32_t, Vec2 a, Vec2 b) {
+    constexpr double same = 1e-8;  // metres
+    found += std::any_of(open.begin(), open.end(), [&](const auto& entry) {
+      const auto [ax, ay, az, bx, by, bz] = entry.first;
+      return length(a - Vec2{ax, ay}) < same && length(b - Vec2{bx, by}) < same;
+    });
+  });
+  return found == polygon.points.size() && found == open.size() ? "" : "a crack above the walls";
+}
+
+// Edges without an opposite one, which must be those that stand on the walls.
+inline std::string open_edge(const Roof& roof, const Polygon& polygon, double tolerance) {
+  const std::map<FootEdge, int> count = open_edges(roof);
   double around = 0;
   for (const auto& [key, n] : count) {
     const auto [ax, ay, az, bx, by, bz] = key;
@@ -95,6 +117,8 @@ inline std::string open_edge(const Roof& roof, const Polygon& polygon, double to
   const auto cleaned = clean(polygon, {});  // without spikes, which sloped roofs lose
   double error = std::abs(around - perimeter(polygon));
   if (cleaned && cleaned->moved) return {};  // rings may share edges
+  // The two sides of a spike may cancel each other.
+  if (cleaned && std::abs(perimeter(polygon) - perimeter(cleaned->polygon)) > 0.01) return {};
   if (cleaned) error = std::min(error, std::abs(around - perimeter(cleaned->polygon)));
   if (error > 10 * tolerance * static_cast<double>(polygon.points.size())) {
     return "the foot does not go around the walls";
@@ -102,23 +126,34 @@ inline std::string open_edge(const Roof& roof, const Polygon& polygon, double to
   return {};
 }
 
-inline std::string wrong_pitch(const Roof& roof, double pitch) {
-  const double rise = std::tan(pitch * std::numbers::pi / 180);
+/// The largest error of the slopes in degrees, where they rise by over a centimetre's depth.
+inline double pitch_error(const Roof& roof, double pitch) {
+  const double least = 0.01 * std::tan(pitch * std::numbers::pi / 180);
+  double most = 0;
   for (const RoofFace& face : roof.faces) {
-    const bool ledge = normalized(area_vector(face)).z > 1 - 1e-9;
-    if (face.part != RoofPart::slope || ledge) continue;
-    const Vec3 a = face.loop[0], b = face.loop[1];
-    const Vec2 inwards = left_of(normalized(Vec2{b.x - a.x, b.y - a.y}));
+    double low = 1e300, high = -1e300;
     for (const Vec3 p : face.loop) {
-      const double t = dot(Vec2{p.x - a.x, p.y - a.y}, inwards);
-      if (a.z == b.z && std::abs(p.z - a.z - rise * t) > 1e-3 * rise) return "a wrong pitch";
+      low = std::min(low, p.z);
+      high = std::max(high, p.z);
     }
+    if (face.part != RoofPart::slope || high - low < least) continue;
+    const double up = normalized(area_vector(face)).z;
+    most = std::max(most, std::abs(std::acos(up) * 180 / std::numbers::pi - pitch));
   }
-  return {};
+  return most;
+}
+
+inline std::string wrong_pitch(const Roof& roof, double pitch) {
+  return pitch_error(roof, pitch) > (roof.fallback == 1 ? 1e-3 : 0.1) ? "a wrong pitch" : "";
 }
 
 inline double tolerance_of(const Roof& roof) {
   return std::array{1e-3, 0.06, 0.5}[static_cast<std::size_t>(std::min(roof.fallback, 3)) - 1];
+}
+
+inline bool swept(RoofKind kind) {
+  return kind == RoofKind::shed || kind == RoofKind::saltbox || kind == RoofKind::sawtooth ||
+         kind == RoofKind::barrel || kind == RoofKind::cross_gable || kind == RoofKind::flat;
 }
 
 inline bool one_pitch(RoofKind kind) {
@@ -133,6 +168,10 @@ inline std::string broken_law(const Polygon& polygon, const RoofOptions& options
   const double tolerance = tolerance_of(made), whole = area(polygon);
   if (std::string why = broken_face(made, flatness); !why.empty()) return why;
   if (std::string why = open_edge(made, polygon, tolerance); !why.empty()) return why;
+  const bool spiky = std::abs(perimeter(polygon) - perimeter(clean(polygon, {})->polygon)) > 0.01;
+  if (made.fallback == 1 && !swept(options.kind) && !spiky) {
+    if (std::string why = cracked_foot(made, polygon); !why.empty()) return why;
+  }
   if (one_pitch(options.kind) && options.height == 0) {
     if (std::string why = wrong_pitch(made, options.pitch); !why.empty()) return why;
   }

@@ -54,20 +54,6 @@ Polygon variant(const Polygon& polygon, std::size_t which, unsigned seed) {
   return which == 3 ? with_points(polygon, seed) : polygon;
 }
 
-// The largest error of a hip roof's slopes in degrees, where they are over a centimetre deep.
-double pitch_error(const Roof& roof, double pitch) {
-  double most = 0;
-  for (const RoofFace& face : roof.faces) {
-    const Vec3 normal = normalized(test::area_vector(face));
-    double high = 0;
-    for (const Vec3 p : face.loop) high = std::max(high, p.z);
-    if (face.part != RoofPart::slope || high < 0.01 * std::tan(pitch * std::numbers::pi / 180))
-      continue;
-    most = std::max(most, std::abs(std::acos(normal.z) * 180 / std::numbers::pi - pitch));
-  }
-  return most;
-}
-
 bool all_footprints() { return std::getenv("MANSARD_LONG_TESTS") != nullptr; }
 
 std::vector<Named> footprints(std::size_t step) {
@@ -129,7 +115,7 @@ TEST_CASE("hip roofs over real footprints have the pitch that was asked for") {
       options.pitch = pitch;
       const Roof made = roof(named.polygon, options);
       if (made.fallback > 1) continue;
-      const double error = pitch_error(made, pitch);
+      const double error = test::pitch_error(made, pitch);
       most = std::max(most, error);
       if (error > 1e-3) FAIL_CHECK(named.name << ": " << error << " degrees off " << pitch);
     }
