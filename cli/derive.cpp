@@ -55,6 +55,30 @@ std::string summary(const Report& report, std::size_t bytes, const std::string& 
          std::to_string(bytes / 1000) + " kB: " + out;
 }
 
+/// "note: 3 roofs had to be made by a simpler construction: 2 coarser, 1 flat".
+void tell_roofs(const Session& session, const RoofTroubles& roofs) {
+  using Reason = std::pair<std::size_t, std::string_view>;
+  const auto tell = [&](std::string_view what, std::initializer_list<Reason> reasons) {
+    std::size_t sum = 0;
+    std::string list;
+    for (const auto& [count, reason] : reasons) {
+      sum += count;
+      if (count > 0)
+        list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(reason);
+    }
+    if (sum > 0)
+      session.say("note: " + std::to_string(sum) + (sum == 1 ? " roof " : " roofs ") +
+                  std::string(what) + ": " + list);
+  };
+  tell("had to be made by a simpler construction",
+       {{roofs.coarser, "on an outline coarser by centimetres"},
+        {roofs.one_ridge, "with one ridge over the whole"},
+        {roofs.flat, "flat"}});
+  tell("could not have all that was asked", {{roofs.no_apex, "without a pyramid's point"},
+                                             {roofs.no_break, "without a break"},
+                                             {roofs.low, "with a thinner edge"}});
+}
+
 int derive(Job& job) {
   const Program& program = job.session.program();
   const DeriveOptions options = derive_options(job.arguments, program);
@@ -102,10 +126,7 @@ int derive(Job& job) {
     job.session.say("note: " + std::to_string(report.parts_cut) +
                     (report.parts_cut == 1 ? " part of a split was" : " parts of splits were") +
                     " cut for want of room");
-  if (report.roof_fallbacks > 0)
-    job.session.say("note: " + std::to_string(report.roof_fallbacks) +
-                    (report.roof_fallbacks == 1 ? " roof" : " roofs") +
-                    " had to be made by a simpler construction");
+  tell_roofs(job.session, report.roofs);
   if (totals.failed + broken > 0)
     job.session.say(std::to_string(totals.failed + broken) +
                     (totals.failed + broken == 1 ? " footprint was" : " footprints were") +

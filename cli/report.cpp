@@ -13,7 +13,7 @@ void Report::add(const Building& building) {
   vertices += building.surface.points.size();
   parts_cut += building.parts_cut;
   unmatched += building.unmatched;
-  roof_fallbacks += building.roof_fallbacks;
+  roofs.add(building.roofs);
   for (std::size_t i = 0; i < building.terminals.size(); ++i)
     terminals_[i] += building.terminals[i];
   std::size_t polygon = 0;
@@ -48,7 +48,10 @@ void Report::write(OutputFile& file, double seconds) const {
   json["seconds"] = seconds;
   json["parts_cut"] = parts_cut;
   json["shapes_without_production"] = unmatched;
-  json["roof_fallbacks"] = roof_fallbacks;
+  json["roof_fallbacks"] = roofs.fallbacks();
+  json["roofs_not_as_asked"] = {
+      {"coarser_outline", roofs.coarser}, {"one_ridge", roofs.one_ridge}, {"flat", roofs.flat},
+      {"no_apex", roofs.no_apex},         {"no_break", roofs.no_break},   {"low", roofs.low}};
   json["terminals"] = ordered_json::object();
   for (uint32_t i = 0; i < terminals_.size(); ++i) {
     if (terminals_[i] == 0) continue;

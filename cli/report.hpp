@@ -20,7 +20,8 @@ class Report {
   void write(OutputFile& file, double seconds) const;
 
   std::size_t shapes = 0, operations = 0, polygons = 0, vertices = 0, buildings = 0;
-  std::size_t parts_cut = 0, unmatched = 0, roof_fallbacks = 0;
+  std::size_t parts_cut = 0, unmatched = 0;
+  RoofTroubles roofs;
 
  private:
   const Program& program_;

@@ -9,7 +9,7 @@
 
 namespace mansard {
 
-/// Prints a diagnostic of one place only the first time it comes.
+/// Prints a diagnostic of one place only the first time it comes, or each that is news.
 class Said {
  public:
   void print(const Session& session, std::span<const Diagnostic> diagnostics);

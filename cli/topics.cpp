@@ -63,11 +63,12 @@ subdiv("Y", Storeys, 1r) with var Storeys = [3, 2.8, 2.8]. One part for several 
   street   outer walls with no neighbour within 6 m before them; main is the longest of them
   cut      faces that a split made
   faces    all faces; edges and vertices are lines and points; all takes the rest
+  ridge hip valley eave rake   lines of roofs: x along them, y away from their faces
   0 1 2    the component of that number
 
 The first part that selects a component gets it, the others are dropped:
   comp { party : WALL | main : FRONT | side : FACADE | top : ROOF }
-offset, setback, chamfer and the gables of roof choose edges by the same words, or a list of them:
+offset, setback, chamfer and roof (ridge, gables, hips) choose edges by the same words, or a list of them:
   setback(3, ["street", "left"]) { HOUSE | GARDEN })"},
     Topic{
         "variables", "Variables, and where a value comes from",

@@ -204,11 +204,39 @@ has: as the default of a property, or as what a condition or a draw chooses. Der
     FOOTPRINT -> style(attr("style", "Terace"))::FOOTPRINT // Terrace
 
 Correct it, or import the file that holds the style. A default of "" says that there is none.)"},
+    CodePage{
+        "W023", "A roof had to be made by a simpler construction.",
+        R"(Roofs stand on the straight skeleton of the footprint. Where that can not be built, because the outline
+crosses itself, is tiny or hangs together by a hair, the footprint is made coarser by centimetres; failing that
+one ridge runs over the whole, and in the end the roof is flat. The report counts each: roofs_not_as_asked.
+
+Look at the footprint's outline. What a roof is like is a kind's own choice: roof("flat") is never a fallback.)"},
+    CodePage{
+        "W024", "A roof can not have all that was asked of it on this shape.",
+        R"(A "pyramid" needs a point that sees every edge, which a concave shape or one with a courtyard has not: it
+becomes a hip roof. A break that lies above the ridge breaks nothing. Where the height is less than
+twice the roof's thickness its edge is made thinner.
+
+    ROOF -> roof("mansard", 70, break_height = 6) { slope : SLATE }   // on a house 5 m wide
+
+The report counts each: roofs_not_as_asked.)"},
+    CodePage{
+        "W025", "An overhang is wider than the building.",
+        R"(The roof reaches farther beyond the walls than they stand apart. Often the number was meant in other units,
+or a small annexe got the roof of a house.
+
+    ROOF -> roof("hip", 30, overhang = 40) { slope : TILES | soffit : WOOD | fascia : WOOD }
+
+Make it depend on the shape: overhang = min(0.4, inradius / 2).)"},
 };
 
 }  // namespace
 
 std::span<const CodePage> code_pages() { return rows; }
+
+bool each_text_is_news(std::string_view code) {
+  return code == "W012" || code == "W011" || code == "W023" || code == "W024";
+}
 
 const CodePage* find_code(std::string_view code) {
   const auto* found = std::find_if(rows.begin(), rows.end(),

@@ -14,5 +14,8 @@ struct CodePage {
 
 std::span<const CodePage> code_pages();
 const CodePage* find_code(std::string_view code);
+/// Whether warnings of one place are told each that says something else, not only the first:
+/// properties that can not be read, and what is wrong with roofs.
+bool each_text_is_news(std::string_view code);
 
 }  // namespace mansard

@@ -27,6 +27,27 @@ struct TreeNode {
   bool terminal = false;
 };
 
+/// Roofs that are not quite as asked, by reason.
+struct RoofTroubles {
+  std::size_t coarser = 0;    ///< built on an outline coarser by centimetres
+  std::size_t one_ridge = 0;  ///< one ridge over the whole instead of a skeleton's
+  std::size_t flat = 0;       ///< nothing but a flat roof could be built
+  std::size_t no_apex = 0;    ///< pyramids that became hips
+  std::size_t no_break = 0;   ///< roofs of two slopes that have one
+  std::size_t low = 0;        ///< height below twice the thickness: a thinner edge
+
+  /// Roofs that a simpler construction had to make.
+  std::size_t fallbacks() const { return coarser + one_ridge + flat; }
+  void add(const RoofTroubles& other) {
+    coarser += other.coarser;
+    one_ridge += other.one_ridge;
+    flat += other.flat;
+    no_apex += other.no_apex;
+    no_break += other.no_break;
+    low += other.low;
+  }
+};
+
 /// Reused from building to building: clear() keeps the capacity.
 struct Building {
   std::string id;
@@ -39,9 +60,9 @@ struct Building {
   std::vector<std::string> printed;  ///< by print()
   std::vector<Diagnostic> warnings;
   std::size_t shapes = 0, operations = 0;
-  std::size_t parts_cut = 0;       ///< split parts cut or left out for want of room
-  std::size_t unmatched = 0;       ///< shapes for which no production was a candidate
-  std::size_t roof_fallbacks = 0;  ///< roofs that a simpler construction had to make
+  std::size_t parts_cut = 0;  ///< split parts cut or left out for want of room
+  std::size_t unmatched = 0;  ///< shapes for which no production was a candidate
+  RoofTroubles roofs;
 
   void clear() {
     id.clear();
@@ -52,7 +73,8 @@ struct Building {
     report.clear();
     printed.clear();
     warnings.clear();
-    shapes = operations = parts_cut = unmatched = roof_fallbacks = 0;
+    shapes = operations = parts_cut = unmatched = 0;
+    roofs = {};
   }
 };
 

@@ -17,6 +17,7 @@ std::optional<double> Compiler::constant_number(ExprId id) const {
 void Compiler::check_constants() {
   for (const Call& call : program_.calls) {
     attempt_anywhere([&] { check_axis(call); });
+    attempt_anywhere([&] { check_roof(call); });
     check_components(call, call.parts);
   }
   for (const Production& production : program_.productions) {

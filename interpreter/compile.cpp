@@ -72,7 +72,10 @@ bool Compiler::run() {
   const syntax::Style* const main = main_style();
   if (!main) return false;
   const auto number = style_number(main->name.text);
-  if (!number) return false;
+  if (!number) {
+    if (options_.all_styles) reach_all();  // what is wrong with the others is said, too
+    return false;
+  }
   program_.main_style = *number;
   if (options_.all_styles) {
     reach_all();

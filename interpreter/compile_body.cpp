@@ -3,6 +3,7 @@
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/roof_words.hpp"
 
 namespace mansard {
 
@@ -88,6 +89,8 @@ void Compiler::not_an_operation(const syntax::Emit& e, uint16_t style) {
     }
   }
   std::string help = meant(e.name.text, known);
+  if (name.starts_with("roof") && meant_roof_kind(name))  // CityEngine's roofHip(35)
+    help = "write roof(\"" + std::string(*meant_roof_kind(name)) + "\", pitch)";
   if (help.empty() && known_symbols_.contains(e.name.text) && !e.args)
     help = "only an operation takes { ... }; put the parts into a rule of '" + name + "'";
   refuse(e.name.at, "unknown operation '" + name + "'", help);

@@ -10,9 +10,7 @@
 namespace mansard {
 namespace {
 
-constexpr std::array<std::string_view, 7> later_options{
-    "break_height", "break_inset", "upper_pitch", "ridge", "tolerance", "even", "index"};
-constexpr std::array<std::string_view, 2> later_parts{"upper", "lower"};
+constexpr std::array<std::string_view, 3> later_options{"tolerance", "even", "index"};
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
@@ -264,9 +262,6 @@ void Compiler::name_parts(Call& call, const syntax::Emit& e) {
       const std::string_view word = program_.symbols[call.parts[p].name];
       i = static_cast<std::size_t>(std::ranges::find(known, word) - known.begin());
       const Span at = e.parts->parts[p].label->at;
-      if (i == names && std::ranges::find(later_parts, word) != later_parts.end()) {
-        refuse(at, "part " + quoted(word) + " comes with a later version of Mansard");
-      }
       if (i == names)
         refuse(at, quoted(word) + " is no part of " + quoted(operation.name), meant(word, known));
       if (call.part_of[i] != none) refuse(at, quoted(word) + " stands twice");

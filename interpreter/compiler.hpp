@@ -136,6 +136,9 @@ class Compiler {
   // check_constants.cpp
   void check_constants();
   void check_axis(const Call& call);
+  void check_roof(const Call& call);
+  void check_rivals(const Call& call, std::string_view one, std::string_view other);
+  void check_roof_kind(const Call& call);
   void check_components(const Call& call, const std::vector<CallPart>& parts);
   void check_symbols_of_draws(const CompiledStyle& style);
   void check_style_named(ExprId id);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "grammar/codes.hpp"
 #include "grammar/utf8.hpp"
 #include "interpreter/machine.hpp"
 
@@ -147,7 +148,8 @@ void Machine::warn(std::string_view code, Span at, std::string text, std::string
 
 void Machine::warn(Diagnostic warning) {
   for (const Diagnostic& known : building->warnings) {
-    if (known.code == warning.code && known.at == warning.at) return;
+    if (known.code != warning.code || known.at != warning.at) continue;
+    if (!each_text_is_news(warning.code) || known.text == warning.text) return;
   }
   building->warnings.push_back(std::move(warning));
 }

@@ -23,7 +23,7 @@ enum class PartRule : uint8_t {
   selectors,  ///< parts labelled with selectors
 };
 
-inline constexpr std::size_t most_part_names = 8;  ///< of PartRule::named
+inline constexpr std::size_t most_part_names = 13;  ///< of PartRule::named
 
 struct Operation {
   std::string_view name;
@@ -47,7 +47,7 @@ std::span<const Operation> operations();
 const Operation* find_operation(std::string_view name);
 /// Names that a later version brings: refused with a message that says so.
 bool is_later_operation(std::string_view name);
-/// Words for a parameter that a later version brings: "mansard" for a roof's `kind`.
+/// Words for a parameter that a later version brings: "XS" for a split's `axis`.
 bool is_later_word(std::string_view parameter, std::string_view word);
 
 /// How many parts "inside | border" names, and the name of part i.

@@ -97,11 +97,27 @@ constexpr std::array rows{
                  "Cuts a figure that fills the scope out of a flat shape: \"arch\", \"circle\" or "
                  "\"segment\".",
                  "extrude(3) comp { front : cut(\"arch\") { OPENING | WALL } }"),
-    row<op::roof>("roof", "roof", "kind, pitch, overhang, height, gables, parapet, thickness",
-                  named, "slope | gable | top | soffit | fascia | parapet",
-                  "Builds a roof over a shape that lies flat: \"flat\", \"hip\" or \"gable\", "
-                  "pitch in degrees.",
-                  "roof(\"hip\", 35) { slope : TILES }"),
+    row<op::roof>(
+        "roof", "roof",
+        "kind, pitch, overhang, height, gables, parapet, thickness, verge, hips, ridge, "
+        "upper_pitch, break_height, break_inset, clipped, tooth, parapet_width",
+        named,
+        "slope | gable | top | soffit | fascia | parapet | lower | upper | ridge | hip | "
+        "valley | eave | rake",
+        "Builds a roof over a shape that lies flat; the kind is \"flat\", \"hip\", "
+        "\"gable\", \"half_hip\", \"dutch_hip\", \"pyramid\", \"shed\", \"mansard\", "
+        "\"gambrel\", \"saltbox\", \"cross_gable\", \"sawtooth\" or \"barrel\", the pitch "
+        "in degrees.",
+        "roof(\"hip\", 35) { slope : TILES | ridge : s(W, 0.1, 0.2) box() { CAP } }"),
+    row<op::upright>(
+        "roof", "upright", "kind, pitch, overhang, thickness", named,
+        "front | cheek | top | gable | slope | soffit | fascia | rest | ridge | hip | valley "
+        "| eave | rake",
+        "Stands a dormer on a rectangle of a slope: \"flat\", \"shed\", \"gable\", "
+        "\"hip\" or \"eyebrow\"; the pitch of its own roof in degrees.",
+        "roof(\"gable\", 45) { slope : subdiv(\"Y\", 0.6, 2, 1r) { TILES | "
+        "subdiv(\"X\", 1r, 1.6, 1r) { TILES | upright(\"gable\") { front : WINDOW | cheek "
+        ": LEAD | gable : LEAD | slope : TILES } | TILES } | TILES } | gable : WALL }"),
     row<op::insert>("insert", "insert", "mesh, fit", body, "",
                     "Puts a mesh into the scope: \"fit\" fills it, \"keep\" and \"keep_ratio\" "
                     "keep the mesh's size or proportions.",
@@ -161,9 +177,9 @@ constexpr std::array rows{
                   "Stops the building with a message of the style's own.", ""),
 };
 
-constexpr std::array<std::string_view, 13> later{
-    "snap",     "occluder",  "stain",  "material", "uv",    "upright", "union",
-    "subtract", "intersect", "layers", "relayout", "group", "nearest"};
+constexpr std::array<std::string_view, 12> later{"snap",   "occluder", "stain",    "material",
+                                                 "uv",     "union",    "subtract", "intersect",
+                                                 "layers", "relayout", "group",    "nearest"};
 
 struct LaterWords {
   std::string_view parameter;
@@ -172,9 +188,6 @@ struct LaterWords {
 constexpr std::array later_words{
     LaterWords{"axis", {"XS", "YS", "ZS", "xs", "ys", "zs"}},
     LaterWords{"corners", {"mitre"}},
-    LaterWords{"kind",
-               {"half_hip", "dutch_hip", "pyramid", "shed", "mansard", "gambrel", "saltbox",
-                "cross_gable", "sawtooth", "barrel"}},
 };
 
 }  // namespace

@@ -30,6 +30,11 @@ std::string_view selector_summary(Selector selector) {
       "Faces that a split made.",
       "The lines of a flat shape, or of the base of an extruded footprint.",
       "The points of a flat shape, or of the base of an extruded footprint.",
+      "Lines from which two slopes fall away to opposite sides.",
+      "Lines where two slopes meet in an outer corner.",
+      "Lines where two slopes, or a slope's foot and a wall, meet in an inner corner.",
+      "Level lower borders of slopes.",
+      "Inclined borders of slopes.",
       "All faces; standing last it takes the rest."};
   return summaries[static_cast<std::size_t>(selector)];
 }
@@ -40,11 +45,7 @@ std::optional<Selector> find_selector(std::string_view word) {
   return static_cast<Selector>(it - selector_words.begin());
 }
 
-bool is_later_selector(std::string_view word) {
-  constexpr std::array<std::string_view, 6> later{"corner", "eave",   "ridge",
-                                                  "hip",    "valley", "rake"};
-  return std::ranges::find(later, word) != later.end();
-}
+bool is_later_selector(std::string_view word) { return word == "corner"; }
 
 namespace {
 
@@ -104,6 +105,11 @@ bool selects(Selector selector, const Shape& face, const Shape& parent) {
       return face.tag.has(EdgeTag::cut);
     case Selector::edges:
     case Selector::vertices:
+    case Selector::ridge:
+    case Selector::hip:
+    case Selector::valley:
+    case Selector::eave:
+    case Selector::rake:
       return false;
   }
   return false;
@@ -144,10 +150,23 @@ bool chooses_edges(Selector selector) {
     case Selector::horizontal:
     case Selector::slanted:
     case Selector::vertices:
+    case Selector::ridge:
+    case Selector::hip:
+    case Selector::valley:
+    case Selector::eave:
+    case Selector::rake:
       return false;
     default:
       return true;
   }
+}
+
+std::vector<std::string_view> edge_words() {
+  std::vector<std::string_view> words;
+  for (const std::string_view word : selector_words) {
+    if (chooses_edges(*find_selector(word))) words.push_back(word);
+  }
+  return words;
 }
 
 }  // namespace
@@ -173,7 +192,7 @@ std::vector<bool> chosen_edges(Context& context, std::size_t argument, const Edg
     const auto selector = item.type == Type::string ? find_selector(item.string()) : std::nullopt;
     if (!selector || !chooses_edges(*selector)) {
       const auto word = item.type == Type::string ? std::string(item.string()) : "this";
-      const auto meant = nearest(word, selector_words);
+      const auto meant = nearest(word, edge_words());
       context.fail(argument, "'" + word + "' chooses no edges",
                    meant ? "did you mean \"" + std::string(*meant) + "\"?"
                          : "words like \"street\", \"party\", \"front\", or the number of an edge");

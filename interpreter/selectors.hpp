@@ -30,12 +30,17 @@ enum class Selector : uint8_t {
   cut,
   edges,
   vertices,
+  ridge,
+  hip,
+  valley,
+  eave,
+  rake,
   all
 };
-inline constexpr std::array<std::string_view, 21> selector_words{
-    "faces",  "side",  "facades", "sidefaces", "front",      "back",     "left",
-    "right",  "top",   "bottom",  "vertical",  "horizontal", "slanted",  "main",
-    "street", "party", "court",   "cut",       "edges",      "vertices", "all"};
+inline constexpr std::array<std::string_view, 26> selector_words{
+    "faces",  "side",     "facades",    "sidefaces", "front",  "back",   "left",  "right", "top",
+    "bottom", "vertical", "horizontal", "slanted",   "main",   "street", "party", "court", "cut",
+    "edges",  "vertices", "ridge",      "hip",       "valley", "eave",   "rake",  "all"};
 
 /// One sentence on each of selector_words, for editors.
 std::string_view selector_summary(Selector selector);

@@ -93,7 +93,7 @@ struct parameter_of<std::optional<T>> {
   static constexpr Parameter is{parameter_of<T>::is.type, true};
 };
 
-inline constexpr std::size_t max_parameters = 9;
+inline constexpr std::size_t max_parameters = 16;
 
 /// How many comma-separated names a row gives its parameters.
 consteval std::size_t names_in(std::string_view names) {

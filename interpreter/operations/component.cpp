@@ -2,9 +2,11 @@
 #include "interpreter/component.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
+#include "interpreter/roof_lines.hpp"
 #include "interpreter/selectors.hpp"
 
 namespace mansard {
@@ -67,11 +69,35 @@ bool is_line_selector(const CallPart& part, Selector which) {
   return part.name != none && selector_of(part.name) == which;
 }
 
-/// edges and vertices: every one of them, in order.
+/// The lines of a roof of one kind.
+void push_roof_lines(Context& c, RoofLineKind kind) {
+  const FaceBorders borders = borders_of(c.machine, c.shape);
+  for (const RoofLine& line : roof_lines(borders.edges, borders.normals, {0, 1, 0})) {
+    if (line.kind != kind) continue;
+    const EdgeTag tag = borders.tags[borders.edges[line.edge].face];
+    c.machine.scratch_shapes.push_back(shape_of(c.shape, line, tag));
+  }
+}
+
+constexpr std::array line_selectors{Selector::edges, Selector::vertices, Selector::ridge,
+                                    Selector::hip,   Selector::valley,   Selector::eave,
+                                    Selector::rake};
+
+/// Edges, vertices and lines of roofs: every one of them, in order.
 void lines(Context& c, Selector which, const CallPart& part) {
   auto& out = c.machine.scratch_shapes;
   const std::size_t first = out.size();
-  which == Selector::edges ? push_edges(c.machine, c.shape) : push_vertices(c.machine, c.shape);
+  switch (which) {
+    case Selector::edges:
+      push_edges(c.machine, c.shape);
+      break;
+    case Selector::vertices:
+      push_vertices(c.machine, c.shape);
+      break;
+    default:
+      push_roof_lines(c, static_cast<RoofLineKind>(static_cast<int>(which) -
+                                                   static_cast<int>(Selector::ridge)));
+  }
   const std::size_t end = out.size();
   for (std::size_t i = first; i < end; ++i) {
     Shape piece = out[i];
@@ -99,7 +125,7 @@ void comp(Context& c, std::optional<Edges> selector) {
              meant ? "did you mean \"" + std::string(*meant) + "\"?" : "");
     }
   }
-  for (const Selector which : {Selector::edges, Selector::vertices}) {
+  for (const Selector which : line_selectors) {
     if (single == which) return lines(c, which, c.call.parts[0]);
     for (const CallPart& part : c.call.parts) {
       if (is_line_selector(part, which)) lines(c, which, part);

@@ -27,7 +27,14 @@ void cut(Context&, std::string_view figure);
 // roof.cpp
 void roof(Context&, std::string_view kind, std::optional<double> pitch,
           std::optional<double> overhang, std::optional<double> height, std::optional<Edges> gables,
-          std::optional<double> parapet, std::optional<double> thickness);
+          std::optional<double> parapet, std::optional<double> thickness,
+          std::optional<double> verge, std::optional<Edges> hips, std::optional<Edges> ridge,
+          std::optional<double> upper_pitch, std::optional<double> break_height,
+          std::optional<double> break_inset, std::optional<double> clipped,
+          std::optional<double> tooth, std::optional<double> parapet_width);
+// upright.cpp
+void upright(Context&, std::optional<std::string_view> kind, std::optional<double> pitch,
+             std::optional<double> overhang, std::optional<double> thickness);
 // insert.cpp
 void insert(Context&, std::string_view mesh, std::optional<std::string_view> fit);
 void box(Context&);

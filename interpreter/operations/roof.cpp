@@ -1,44 +1,18 @@
-// roof(kind, pitch, ...): the faces of a roof over a flat shape.
+// roof(kind, pitch, ...): the faces and lines of a roof over a flat shape.
 #include "geometry/roof.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "geometry/offset.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
+#include "interpreter/roof_lines.hpp"
+#include "interpreter/roof_words.hpp"
 #include "interpreter/selectors.hpp"
 
 namespace mansard {
 namespace {
-
-constexpr std::array<std::string_view, 8> part_words{"slope",  "gable",   "top",   "soffit",
-                                                     "fascia", "parapet", "lower", "upper"};
-RoofKind kind_of(Context& c, std::string_view word) {
-  if (word == "flat") return RoofKind::flat;
-  if (word == "hip") return RoofKind::hip;
-  if (word == "gable") return RoofKind::gable;
-  if (is_later_word("kind", word)) {
-    c.fail(0, "roof kind \"" + std::string(word) + "\" comes with a later version",
-           "this version has \"flat\", \"hip\" and \"gable\"");
-  }
-  constexpr std::array<std::string_view, 3> kinds{"flat", "hip", "gable"};
-  const auto meant = nearest(word, kinds);
-  c.fail(
-      0, "\"" + std::string(word) + "\" is no kind of roof",
-      meant ? "did you mean \"" + std::string(*meant) + "\"?" : "\"flat\", \"hip\" or \"gable\"");
-}
-
-double in_range(Context& c, std::size_t i, std::optional<double> given, double fallback, double low,
-                double high) {
-  if (!given) return fallback;
-  if (*given < low || *given > high) {
-    c.fail(i, "'" + std::string(c.call.operation->parameter_name(i)) + "' must lie between " +
-                  number_text(low) + " and " + number_text(high) + ", it is " +
-                  number_text(*given));
-  }
-  return *given;
-}
 
 void need_lying(Context& c) {
   const bool flat = c.shape.form == Form::rectangle || c.shape.form == Form::polygon;
@@ -50,6 +24,8 @@ void need_lying(Context& c) {
                    "take the top first: comp { top : ROOF }");
   }
 }
+
+// ---- what is made
 
 std::vector<Vec3> placed(const Shape& base, std::span<const Vec3> loop) {
   const double depth = base.scope.size.z;
@@ -63,25 +39,46 @@ std::vector<Vec3> placed(const Shape& base, std::span<const Vec3> loop) {
 }
 
 void warn_unnamed(Context& c, RoofPart part) {
-  const auto word = std::string(part_words[static_cast<std::size_t>(part)]);
+  const auto word = std::string(roof_parts[static_cast<std::size_t>(part)]);
   c.machine.warn("W011", c.call.parts_at,
                  "this roof makes '" + word + "', which no part takes: it is left out",
                  "add '" + word + " : SYMBOL', or NIL to leave it out");
 }
 
-void give_faces(Context& c, const Roof& roof) {
+/// Both slopes of roofs with two are slopes where no part tells them apart; so are the ledges of
+/// centimetres that close a roof on a coarser outline to its walls, where no overhang is asked for.
+std::size_t part_for(const Context& c, RoofPart part, bool overhangs) {
+  const bool one_of_two = part == RoofPart::lower || part == RoofPart::upper;
+  const bool ledge = !overhangs && (part == RoofPart::soffit || part == RoofPart::fascia);
+  const auto own = static_cast<std::size_t>(part);
+  return (one_of_two || ledge) && !c.wants(own) ? static_cast<std::size_t>(RoofPart::slope) : own;
+}
+
+void give_faces(Context& c, const Roof& roof, bool overhangs) {
+  constexpr std::size_t first_line = roof_parts.size();
+  const bool lines = wants_lines(c, first_line);
+  FaceBorders borders;
   for (const RoofFace& face : roof.faces) {
-    const auto part = static_cast<std::size_t>(face.part);
-    if (!c.wants(part)) {
+    const std::size_t part = part_for(c, face.part, overhangs);
+    if (!lines && !c.wants(part)) {
       warn_unnamed(c, face.part);
       continue;
     }
     const auto loop = placed(c.shape, face.loop);
     std::vector<std::vector<Vec3>> holes;
     for (const auto& hole : face.holes) holes.push_back(placed(c.shape, hole));
+    if (lines) borders.add_face(loop, face.tag);
+    for (const auto& hole : holes) {
+      if (lines) borders.add_ring(hole);
+    }
+    if (!c.wants(part)) {
+      warn_unnamed(c, face.part);
+      continue;
+    }
     Shape piece = face_of(c.machine, c.shape, loop, holes, face.tag);
     c.named_part(part, piece);
   }
+  give_lines(c, borders, first_line);
 }
 
 /// A flat roof without edges of its own is the shape itself.
@@ -124,31 +121,126 @@ void become_mesh(Context& c, const Roof& roof) {
   c.become(solid);
 }
 
+// ---- what is told
+
+/// Once a place; how often is in the report.
+void tell_fallbacks(Context& c, const Roof& roof) {
+  RoofTroubles& count = c.machine.building->roofs;
+  const auto simpler = [&](std::size_t& counter, std::string_view how) {
+    ++counter;
+    c.machine.warn("W023", c.call.at,
+                   "this roof had to be made by a simpler construction: " + std::string(how),
+                   "look at the footprint's outline");
+  };
+  if (roof.fallback == 6) simpler(count.flat, "it is flat");
+  if (roof.fallback == 5) simpler(count.one_ridge, "one ridge over the whole");
+  if (roof.fallback > 1 && roof.fallback < 5)
+    simpler(count.coarser, "on an outline coarser by centimetres");
+  const auto without = [&](std::size_t& counter, std::string_view what, std::string_view help) {
+    ++counter;
+    c.machine.warn("W024", c.call.at, std::string(what), std::string(help));
+  };
+  if (roof.no_apex)
+    without(count.no_apex, "no single point above this shape sees every edge: its pyramid is a hip",
+            "take \"pyramid\" for convex shapes");
+  if (roof.no_break)
+    without(count.no_break, "the slopes end below the break: one pitch throughout",
+            "a smaller break_height or break_inset, or none");
+  if (roof.low)
+    without(count.low, "'height' is less than twice the roof's thickness: its edge is made thinner",
+            "more height, or less thickness");
+}
+
+/// The breadth of a shape is at most four times its area over its perimeter, so most need no more.
+void tell_wide_overhang(Context& c, const Polygon& plan, double overhang) {
+  const double around = perimeter(plan);
+  if (!(around > 0) || overhang <= 2 * area(plan) / around) return;
+  const double breadth = 2 * inradius(plan);
+  if (overhang <= breadth) return;
+  c.machine.warn(
+      "W025", c.at(2),
+      "an overhang of " + number_text(overhang) + " m around a shape that is " +
+          number_text(breadth) + " m wide",
+      "is it in metres? min(" + std::string(c.at(2).text()) + ", inradius) keeps it small");
+}
+
+// ---- what is asked for
+
+void read(Context& c, std::size_t i, std::optional<double> given, double& option) {
+  if (!given) return;
+  if (const auto wrong = wrong_roof_number(c.call.operation->parameter_name(i), *given))
+    c.fail(i, wrong->text, wrong->help);
+  option = *given;
+}
+
+std::optional<std::vector<char>> flags(Context& c, std::size_t i, const std::optional<Edges>& edges,
+                                       const Polygon& plan) {
+  if (!edges) return std::nullopt;
+  const std::vector<bool> chosen = chosen_edges(c, i, *edges, plan);
+  return std::vector<char>(chosen.begin(), chosen.end());
+}
+
+/// The longest of the chosen edges; none when nothing is chosen.
+std::optional<uint32_t> ridge_edge(Context& c, std::size_t i, const std::optional<Edges>& edges,
+                                   const Polygon& plan) {
+  if (!edges) return std::nullopt;
+  const Value& value = edges->value;
+  if (value.type == Type::string && value.string() == "longest") return std::nullopt;
+  const std::vector<bool> chosen = chosen_edges(c, i, *edges, plan);
+  std::optional<uint32_t> best;
+  double longest = 0;
+  for_each_edge(plan, [&](uint32_t edge, Vec2 from, Vec2 to) {
+    // Of edges that are as long the first, however the last bits fall.
+    if (!chosen[edge] || length(to - from) <= longest + 1e-6) return;
+    best = edge;
+    longest = length(to - from);
+  });
+  return best;
+}
+
+RoofKind kind_of(Context& c, std::string_view word) {
+  if (const auto kind = find_roof_kind(word)) return *kind;
+  const WrongWord unknown = unknown_roof_kind(word);
+  c.fail(0, unknown.text, unknown.help);
+}
+
 }  // namespace
 
 namespace operation {
 
 void roof(Context& c, std::string_view kind, std::optional<double> pitch,
           std::optional<double> overhang, std::optional<double> height, std::optional<Edges> gables,
-          std::optional<double> parapet, std::optional<double> thickness) {
+          std::optional<double> parapet, std::optional<double> thickness,
+          std::optional<double> verge, std::optional<Edges> hips, std::optional<Edges> ridge,
+          std::optional<double> upper_pitch, std::optional<double> break_height,
+          std::optional<double> break_inset, std::optional<double> clipped,
+          std::optional<double> tooth, std::optional<double> parapet_width) {
   RoofOptions options;
   options.kind = kind_of(c, kind);
-  options.pitch = in_range(c, 1, pitch, options.pitch, 0.5, 85);
-  options.overhang = in_range(c, 2, overhang, 0, 0, 10);
-  options.height = in_range(c, 3, height, 0, 0, 1000);
-  options.parapet = in_range(c, 5, parapet, 0, 0, 100);
-  options.thickness = in_range(c, 6, thickness, options.thickness, 0.001, 10);
+  read(c, 1, pitch, options.pitch);
+  read(c, 2, overhang, options.overhang);
+  read(c, 3, height, options.height);
+  read(c, 5, parapet, options.parapet);
+  read(c, 6, thickness, options.thickness);
+  read(c, 7, verge, options.verge);
+  read(c, 10, upper_pitch, options.upper_pitch);
+  read(c, 11, break_height, options.break_height);
+  read(c, 12, break_inset, options.break_inset);
+  read(c, 13, clipped, options.clipped);
+  read(c, 14, tooth, options.tooth);
+  read(c, 15, parapet_width, options.parapet_width);
   const bool bare = options.kind == RoofKind::flat && options.overhang == 0 && options.parapet == 0;
   if (bare && c.has_parts()) return give_flat(c);
   need_lying(c);
   const Polygon plan = plan_of(c.machine, c.shape);
-  if (gables) {
-    const std::vector<bool> chosen = chosen_edges(c, 4, *gables, plan);
-    options.gables.emplace(chosen.begin(), chosen.end());
-  }
+  options.gables = flags(c, 4, gables, plan);
+  options.hips = flags(c, 8, hips, plan);
+  options.ridge = ridge_edge(c, 9, ridge, plan);
+  if (options.overhang > 0) tell_wide_overhang(c, plan, options.overhang);
   const Roof made = mansard::roof(plan, options);
-  if (made.fallback > 1) ++c.machine.building->roof_fallbacks;
-  c.has_parts() ? give_faces(c, made) : become_mesh(c, made);
+  tell_fallbacks(c, made);
+  c.has_parts() ? give_faces(c, made, options.overhang > 0 || options.verge > 0)
+                : become_mesh(c, made);
 }
 
 }  // namespace operation

@@ -62,6 +62,14 @@ bool stays_flat(Context& c, const Scope& frame) {
   return true;
 }
 
+/// A line keeps x along itself, and y as upright as that leaves it.
+void stand_line(Scope& line) {
+  const Vec3 y = Vec3{0, 1, 0} - line.x * line.x.y;
+  if (length(y) < 1e-9) return;
+  line.y = normalized(y);
+  line.z = cross(line.x, line.y);
+}
+
 }  // namespace
 
 namespace operation {
@@ -149,6 +157,7 @@ void align(Context& c, std::string_view to) {
     c.fail(0, "\"" + std::string(to) + "\" is nothing to align to",
            "\"axes\", \"geometry\" or \"world\"");
   }
+  if (c.shape.form == Form::line) return stand_line(c.shape.scope);
   scope.y = normalized(Vec3{0, 1, 0} - scope.x * scope.x.y);
   scope.z = cross(scope.x, scope.y);
   if (stays_flat(c, scope)) return;

@@ -77,7 +77,7 @@ void check_town(const std::string& name) {
     }
     if (building.surface.points.empty()) continue;  // too small: NIL
     ++built;
-    fallbacks += building.roof_fallbacks;
+    fallbacks += building.roofs.fallbacks();
     const double plan = area(on.polygon), height = answer.report.at("height").sum;
     const double stands = footprint_area(building.surface), roof = roofed_area(building.surface);
     if (std::abs(stands - plan) > 1e-6 * plan && ++wrong_area <= 10)

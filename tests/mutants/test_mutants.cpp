@@ -64,8 +64,9 @@ class Checker {
     diagnostics.sort();
     Said said;
     for (const Diagnostic& d : diagnostics.all()) {
-      all_.insert(d.text);
-      if (!known.contains(d.text)) add(d, path, said);
+      const std::string place = d.text + " " + std::to_string(line(d.at, path));
+      all_.insert(place);
+      if (!known.contains(place)) add(d, path, said);
     }
     return said;
   }
