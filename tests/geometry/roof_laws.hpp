@@ -126,8 +126,9 @@ inline std::string open_edge(const Roof& roof, const Polygon& polygon, double to
   return {};
 }
 
-/// The largest error of the slopes in degrees, where they rise by over a centimetre's depth.
-inline double pitch_error(const Roof& roof, double pitch) {
+/// The largest error of the slopes in degrees, where they rise by over a centimetre's depth; less
+/// what corners off their plane by `flatness` metres can make of it.
+inline double pitch_error(const Roof& roof, double pitch, double flatness) {
   const double least = 0.01 * std::tan(pitch * std::numbers::pi / 180);
   double most = 0;
   for (const RoofFace& face : roof.faces) {
@@ -138,13 +139,14 @@ inline double pitch_error(const Roof& roof, double pitch) {
     }
     if (face.part != RoofPart::slope || high - low < least) continue;
     const double up = normalized(area_vector(face)).z;
-    most = std::max(most, std::abs(std::acos(up) * 180 / std::numbers::pi - pitch));
+    const double error = std::abs(std::acos(up) * 180 / std::numbers::pi - pitch);
+    most = std::max(most, error - flatness / (high - low) * 180 / std::numbers::pi);
   }
   return most;
 }
 
 inline std::string wrong_pitch(const Roof& roof, double pitch) {
-  return pitch_error(roof, pitch) > (roof.fallback == 1 ? 1e-3 : 0.1) ? "a wrong pitch" : "";
+  return pitch_error(roof, pitch, 1e-5) > (roof.fallback == 1 ? 1e-3 : 0.1) ? "a wrong pitch" : "";
 }
 
 inline double tolerance_of(const Roof& roof) {
@@ -166,7 +168,8 @@ inline std::string broken_law(const Polygon& polygon, const RoofOptions& options
                               double flatness) {
   if (made.fallback >= 5 || !clean(polygon, {})) return {};
   const double tolerance = tolerance_of(made), whole = area(polygon);
-  if (std::string why = broken_face(made, flatness); !why.empty()) return why;
+  const double least = made.fallback == 1 ? flatness : 1e-4;  // the outline moved by more
+  if (std::string why = broken_face(made, std::max(flatness, least)); !why.empty()) return why;
   if (std::string why = open_edge(made, polygon, tolerance); !why.empty()) return why;
   const bool spiky = std::abs(perimeter(polygon) - perimeter(clean(polygon, {})->polygon)) > 0.01;
   if (made.fallback == 1 && !swept(options.kind) && !spiky) {

@@ -115,7 +115,7 @@ TEST_CASE("hip roofs over real footprints have the pitch that was asked for") {
       options.pitch = pitch;
       const Roof made = roof(named.polygon, options);
       if (made.fallback > 1) continue;
-      const double error = test::pitch_error(made, pitch);
+      const double error = test::pitch_error(made, pitch, 0);
       most = std::max(most, error);
       if (error > 1e-3) FAIL_CHECK(named.name << ": " << error << " degrees off " << pitch);
     }
