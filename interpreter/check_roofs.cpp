@@ -1,4 +1,6 @@
 // What a rule writes out of a roof or dormer can be judged without one.
+#include <algorithm>
+
 #include "interpreter/compiler.hpp"
 #include "interpreter/roof_words.hpp"
 
@@ -23,7 +25,7 @@ void Compiler::check_roof(const Call& call) {
     if (const auto wrong = wrong_roof_number(call.operation->parameter_name(i), *number))
       refuse(program_.spans[call.args[i].value], wrong->text, wrong->help);
   }
-  if (name != "roof") return;
+  if (name == "upright") return check_dormer_kind(call);
   check_rivals(call, "pitch", "height");
   check_rivals(call, "break_height", "break_inset");
   check_roof_kind(call);
@@ -40,6 +42,16 @@ void Compiler::check_rivals(const Call& call, std::string_view one, std::string_
   d.text = "'" + std::string(one) + "' and '" + std::string(other) + "' are both given";
   d.help = "one follows from the other: leave one of them out";
   throw Failure(std::move(d));
+}
+
+void Compiler::check_dormer_kind(const Call& call) {
+  const ExprId kind = call.args[0].value;
+  if (kind == none || program_.nodes[kind].kind != ExprKind::constant) return;
+  const Value& value = program_.constants[program_.nodes[kind].first];
+  if (value.type != Type::string) return;
+  if (std::ranges::find(dormer_kinds, value.string()) != dormer_kinds.end()) return;
+  const WrongWord unknown = unknown_dormer_kind(value.string());
+  refuse(program_.spans[kind], unknown.text, unknown.help);
 }
 
 /// A kind that a variable holds may have no use for some arguments: others of its values have.

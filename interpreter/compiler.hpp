@@ -139,6 +139,7 @@ class Compiler {
   void check_roof(const Call& call);
   void check_rivals(const Call& call, std::string_view one, std::string_view other);
   void check_roof_kind(const Call& call);
+  void check_dormer_kind(const Call& call);
   void check_components(const Call& call, const std::vector<CallPart>& parts);
   void check_symbols_of_draws(const CompiledStyle& style);
   void check_style_named(ExprId id);

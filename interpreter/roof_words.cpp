@@ -154,6 +154,12 @@ WrongWord unknown_roof_kind(std::string_view word) {
           meant ? "did you mean " + in_quotes(*meant) + "?" : listed(roof_kinds)};
 }
 
+WrongWord unknown_dormer_kind(std::string_view word) {
+  const auto meant = nearest(plain(word), dormer_kinds);
+  return {in_quotes(shortened(word)) + " is no kind of dormer",
+          meant ? "did you mean " + in_quotes(*meant) + "?" : listed(dormer_kinds)};
+}
+
 std::optional<WrongWord> wrong_roof_number(std::string_view argument, double value) {
   const auto range = std::ranges::find(ranges, argument, &Range::argument);
   if (range == ranges.end()) return std::nullopt;

@@ -15,6 +15,9 @@ namespace mansard {
 inline constexpr std::array<std::string_view, 13> roof_kinds{
     "flat",    "hip",     "gable",   "half_hip",    "dutch_hip", "pyramid", "shed",
     "mansard", "gambrel", "saltbox", "cross_gable", "sawtooth",  "barrel"};
+/// In the order of DormerKind.
+inline constexpr std::array<std::string_view, 5> dormer_kinds{"flat", "shed", "gable", "hip",
+                                                              "eyebrow"};
 /// In the order of RoofPart.
 inline constexpr std::array<std::string_view, 8> roof_parts{"slope",  "gable",   "top",   "soffit",
                                                             "fascia", "parapet", "lower", "upper"};
@@ -29,6 +32,7 @@ std::optional<RoofKind> find_roof_kind(std::string_view word);
 std::optional<std::string_view> meant_roof_kind(std::string_view word);
 /// Of a word that is no kind.
 WrongWord unknown_roof_kind(std::string_view word);
+WrongWord unknown_dormer_kind(std::string_view word);
 
 /// A number outside what the named argument of roof() or upright() may be.
 std::optional<WrongWord> wrong_roof_number(std::string_view argument, double value);

@@ -14,17 +14,14 @@
 namespace mansard {
 namespace {
 
-constexpr std::array<std::string_view, 5> dormer_kinds{"flat", "shed", "gable", "hip", "eyebrow"};
 constexpr std::array<std::string_view, 8> dormer_parts{"front", "cheek",  "top",    "gable",
                                                        "slope", "soffit", "fascia", "rest"};
 
 DormerKind kind_of(Context& c, std::string_view word) {
   const auto it = std::ranges::find(dormer_kinds, word);
   if (it != dormer_kinds.end()) return static_cast<DormerKind>(it - dormer_kinds.begin());
-  const auto meant = nearest(word, dormer_kinds);
-  c.fail(0, "\"" + shortened(word) + "\" is no kind of dormer",
-         meant ? "did you mean \"" + std::string(*meant) + "\"?"
-               : "\"flat\", \"shed\", \"gable\", \"hip\" or \"eyebrow\"");
+  const WrongWord unknown = unknown_dormer_kind(word);
+  c.fail(0, unknown.text, unknown.help);
 }
 
 bool is_rectangle(const Context& c) {
