@@ -89,15 +89,17 @@ inline std::map<FootEdge, int> open_edges(const Roof& roof) {
 /// solid.
 inline std::string cracked_foot(const Roof& roof, const Polygon& polygon) {
   const std::map<FootEdge, int> open = open_edges(roof);
-  std::size_t found = 0;
+  std::size_t found = 0, edges = 0;
   for_each_edge(polygon, [&](uint32_t, Vec2 a, Vec2 b) {
     constexpr double same = 1e-8;  // metres
+    if (length(b - a) < same) return;
+    ++edges;
     found += std::any_of(open.begin(), open.end(), [&](const auto& entry) {
       const auto [ax, ay, az, bx, by, bz] = entry.first;
       return length(a - Vec2{ax, ay}) < same && length(b - Vec2{bx, by}) < same;
     });
   });
-  return found == polygon.points.size() && found == open.size() ? "" : "a crack above the walls";
+  return found == edges && found == open.size() ? "" : "a crack above the walls";
 }
 
 // Edges without an opposite one, which must be those that stand on the walls.
