@@ -128,8 +128,10 @@ class Emitter {
       const Vec2 inwards = plan_.lines[e].normal;
       const bool flush = std::abs(dot(reach, inwards)) + std::abs(dot(reach_a, inwards)) < 1e-9;
       if (flush) {
-        add_face(roof_, RoofPart::fascia, tag(e),
-                 std::array{lower(a), wall(a), wall(b), lower(b), upper(b), upper(a)});
+        std::vector<Vec3> fascia{lower(a), wall(a)};
+        if (along_wall(e, a, b)) add_top(fascia, e, wall(a), wall(b));
+        for (const Vec3 p : {wall(b), lower(b), upper(b), upper(a)}) fascia.push_back(p);
+        add_face(roof_, RoofPart::fascia, tag(e), fascia);
         continue;
       }
       std::vector<Vec3> soffit{lower(b), lower(a), wall(a)};

@@ -151,6 +151,18 @@ TEST_CASE("rings that touch are moved apart, and what pinches itself too") {
   }
 }
 
+TEST_CASE("eaves without room stand flush, with every point of the walls' tops") {
+  // The outline nearly turns back at a corner, whose eaves would be metres long; one of the walls
+  // there has a point in its middle.
+  const Polygon thorn = test::polygon_of_wkt(
+      "POLYGON((7 11,11.259679 6.926099,6.540326 2.256819,6.479627 2.312406,8.463728 0.322403,"
+      "10.447829 -1.6676,6 -6,-4 0))");
+  RoofOptions options;
+  options.overhang = 0.4;
+  options.pitch = 40;
+  CHECK(broken_law(thorn, options, 1e-5) == "");
+}
+
 TEST_CASE("a parapet stands flush with the facade and inside it") {
   RoofOptions options;
   options.kind = RoofKind::flat;
