@@ -27,6 +27,15 @@ void reverse_ring(Polygon& polygon, std::size_t ring) {
 
 }  // namespace
 
+std::vector<uint32_t> next_points(const Polygon& polygon) {
+  std::vector<uint32_t> next(polygon.points.size());
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const uint32_t begin = polygon.ring_begin(r), end = polygon.ring_ends[r];
+    for (uint32_t i = begin; i < end; ++i) next[i] = i + 1 == end ? begin : i + 1;
+  }
+  return next;
+}
+
 Polygon rectangle(double width, double height) {
   Polygon result;
   for (const Vec2 p : {Vec2{0, 0}, Vec2{width, 0}, Vec2{width, height}, Vec2{0, height}}) {

@@ -74,6 +74,8 @@ void for_each_edge(const Polygon& polygon, F f) {
   }
 }
 
+/// For each point the number of the next one of its ring.
+std::vector<uint32_t> next_points(const Polygon& polygon);
 Polygon rectangle(double width, double height);
 /// Signed: positive for counter-clockwise rings.
 double area(std::span<const Vec2> ring);

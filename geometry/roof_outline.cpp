@@ -34,15 +34,11 @@ std::vector<Vec2> ways(const Polygon& polygon, const std::vector<double>& outwar
 // The points at edges that turned round or touch others.
 std::vector<char> troubled(const Polygon& old, const Polygon& moved) {
   std::vector<char> bad(old.points.size(), 0);
-  std::vector<uint32_t> next(old.points.size());
-  for (std::size_t r = 0; r < old.rings(); ++r) {
-    const uint32_t begin = old.ring_begin(r), end = old.ring_ends[r];
-    for (uint32_t i = begin; i < end; ++i) {
-      next[i] = i + 1 == end ? begin : i + 1;
-      const Vec2 d = old.points[next[i]] - old.points[i];
-      const Vec2 m = moved.points[next[i]] - moved.points[i];
-      if (dot(d, m) < 0.01 * dot(d, d)) bad[i] = bad[next[i]] = 1;
-    }
+  const std::vector<uint32_t> next = next_points(old);
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const Vec2 d = old.points[next[i]] - old.points[i];
+    const Vec2 m = moved.points[next[i]] - moved.points[i];
+    if (dot(d, m) < 0.01 * dot(d, d)) bad[i] = bad[next[i]] = 1;
   }
   for (const Contact& c : contacts(moved, 1e-6)) {
     bad[c.point] = bad[next[c.point]] = bad[c.edge] = bad[next[c.edge]] = 1;

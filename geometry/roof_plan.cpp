@@ -19,15 +19,9 @@ RoofPlan plan_roof(const SkeletonOn& on) {
   const std::size_t n = polygon.points.size();
   plan.footprint = &polygon;
   plan.lines = wall_lines(polygon);
-  plan.next.resize(n);
+  plan.next = next_points(polygon);
   plan.before.resize(n);
-  for (std::size_t r = 0; r < polygon.rings(); ++r) {
-    const uint32_t begin = polygon.ring_begin(r), end = polygon.ring_ends[r];
-    for (uint32_t i = begin; i < end; ++i) {
-      plan.next[i] = i + 1 == end ? begin : i + 1;
-      plan.before[plan.next[i]] = i;
-    }
-  }
+  for (uint32_t i = 0; i < n; ++i) plan.before[plan.next[i]] = i;
   plan.nodes.reserve(on.mesh.nodes.size());
   for (const Vec3 node : on.mesh.nodes) plan.add_node(node);
   plan.faces.resize(n);

@@ -77,11 +77,7 @@ class SweptRoof {
     add_tops(divided(outer));
     for_each_edge(footprint_, [&](uint32_t e, Vec2 a, Vec2 b) { add_wall(e, a, b); });
     if (overhang_ <= 0) return;
-    std::vector<uint32_t> next(footprint_.points.size());
-    for (std::size_t r = 0; r < footprint_.rings(); ++r) {
-      const uint32_t begin = footprint_.ring_begin(r), end = footprint_.ring_ends[r];
-      for (uint32_t i = begin; i < end; ++i) next[i] = i + 1 == end ? begin : i + 1;
-    }
+    const std::vector<uint32_t> next = next_points(footprint_);
     for (uint32_t e = 0; e < next.size(); ++e) {
       add_edge(e, footprint_.points[e], footprint_.points[next[e]], outer.points[e],
                outer.points[next[e]]);
