@@ -47,8 +47,10 @@ std::optional<SkeletonMesh> raw_skeleton(const Polygon& polygon);
 std::optional<SkeletonMesh> quad_skeleton(const Polygon& polygon);
 
 /// The trace of a wavefront in doubles: some ten times as quick as CGAL, and with less care. A
-/// wrong result is as possible as none, so it is for checked_skeleton.
-std::optional<SkeletonMesh> wavefront_skeleton(const Polygon& polygon);
+/// wrong result is as possible as none, so it is for checked_skeleton. Steps in the wavefront that
+/// are born narrower than `together` metres and stay so vanish at once, so that the slopes of walls
+/// along one line are parted square to them.
+std::optional<SkeletonMesh> wavefront_skeleton(const Polygon& polygon, double together);
 
 /// Who makes a skeleton.
 enum class SkeletonMaker : uint8_t { closed_form, wavefront, cgal };
@@ -59,7 +61,7 @@ enum class SkeletonMaker : uint8_t { closed_form, wavefront, cgal };
 /// lets CGAL crash, too large a one turns over what is smaller.
 struct SkeletonWay {
   SkeletonMaker maker;
-  double jitter, weld;  ///< metres
+  double jitter, weld, together;  ///< metres; `together` is the wavefront's
 };
 
 /// nullopt unless the skeleton passes every check: a face for each edge, closed, planar within

@@ -25,9 +25,9 @@ void place(Polygon& local, const Polygon& polygon, double jitter) {
   }
 }
 
-std::optional<SkeletonMesh> made(const Polygon& local, SkeletonMaker maker) {
-  if (maker == SkeletonMaker::cgal) return raw_skeleton(local);
-  if (maker == SkeletonMaker::wavefront) return wavefront_skeleton(local);
+std::optional<SkeletonMesh> made(const Polygon& local, const SkeletonWay& way) {
+  if (way.maker == SkeletonMaker::cgal) return raw_skeleton(local);
+  if (way.maker == SkeletonMaker::wavefront) return wavefront_skeleton(local, way.together);
   return quad_skeleton(local);
 }
 
@@ -37,7 +37,7 @@ std::optional<SkeletonMesh> checked_skeleton(const Polygon& polygon, const Skele
   Polygon local;
   local.ring_ends = polygon.ring_ends;
   place(local, polygon, way.jitter);
-  std::optional<SkeletonMesh> mesh = made(local, way.maker);
+  std::optional<SkeletonMesh> mesh = made(local, way);
   if (!mesh) return std::nullopt;
   place(local, polygon, 0);
   Spokes spokes(*mesh);

@@ -6,6 +6,7 @@
 // corner looks for what it may run into among all edges, which is quick below
 // some hundred.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "geometry/skeleton.hpp"
@@ -83,9 +84,10 @@ constexpr uint32_t down(uint32_t corner) { return 2 * corner + 1; }
 
 class Wavefront {
  public:
-  explicit Wavefront(const Polygon &polygon)
+  Wavefront(const Polygon &polygon, double together)
       : polygon_(polygon),
-        size_(static_cast<uint32_t>(polygon.points.size())),
+        together_(together),
+        size_(polygon.points.size()),
         normal_x_(size_),
         normal_y_(size_),
         offset_(size_),
@@ -190,7 +192,10 @@ class Wavefront {
     const double growth = dot(b.velocity - a.velocity, along);
     const double from = std::max(a.since, b.since);
     const double length = dot(b.place(from) - a.place(from), along);
-    a.collapse = growth < 0 ? std::max(now_, from - length / growth) : never;
+    // Where three or more corners meet but for the jitter, a step without width can remain that
+    // would run on across the roof, and part the slopes of walls along one line askew.
+    const bool stuck = length < together_ && std::abs(growth) < 1e-3;
+    a.collapse = stuck ? now_ : growth < 0 ? std::max(now_, from - length / growth) : never;
     when_.set(corner, std::min(a.collapse, a.split));
   }
 
@@ -234,30 +239,35 @@ class Wavefront {
 
   // The edge between two corners vanishes, and they become one.
   void collapse(uint32_t a) {
-    const uint32_t b = corners_[a].after, before = corners_[a].before, after = corners_[b].after;
+    const uint32_t b = corners_[a].after;
     const bool calmer = dot(corners_[a].velocity, corners_[a].velocity) <
                         dot(corners_[b].velocity, corners_[b].velocity);
     const uint32_t node = add_node(corners_[calmer ? a : b].place(now_));
     kill(a, node);
     kill(b, node);
     corners_[b].next_up = down(a);
-    if (before == after) {  // the last triangle of a ring
+    rejoin(a, b, node);
+  }
+
+  // Closes the wavefront between what comes before v and what comes after w, which have died.
+  void rejoin(uint32_t v, uint32_t w, uint32_t node) {
+    const uint32_t before = corners_[v].before, after = corners_[w].after;
+    if (before == after) {  // the last triangle of a ring, or a strip without width
       kill(before, node);
-      corners_[a].next_up = down(before);
-      corners_[before].next_up = down(b);
+      corners_[v].next_up = down(before);
+      corners_[before].next_up = down(w);
       return;
     }
-    const uint32_t c = add_corner(corners_[a].left, corners_[b].right, node, before, after);
-    corners_[a].next_up = up(c);
-    corners_[c].next_down = down(b);
+    const uint32_t c = add_corner(corners_[v].left, corners_[w].right, node, before, after);
+    corners_[v].next_up = up(c);
+    corners_[c].next_down = down(w);
     join(before, c);
     join(c, after);
     schedule_collapse(before);
     schedule(c);
   }
 
-  // A reflex corner runs into an edge, and the ring falls into two (or two
-  // rings become one).
+  // A reflex corner runs into an edge, and the ring falls into two (or two rings become one).
   void split(uint32_t v) {
     const uint32_t edge = corners_[v].split_edge, left = corners_[v].left,
                    right = corners_[v].right;
@@ -336,7 +346,8 @@ class Wavefront {
   }
 
   const Polygon &polygon_;
-  uint32_t size_;
+  double together_;
+  std::size_t size_;
   std::vector<double> normal_x_, normal_y_,
       offset_;                 // of the edges' lines; apart, to be quick
   std::vector<double> waits_;  // until a corner reaches each of them
@@ -355,8 +366,8 @@ class Wavefront {
 
 }  // namespace
 
-std::optional<SkeletonMesh> wavefront_skeleton(const Polygon &polygon) {
-  return Wavefront(polygon).trace();
+std::optional<SkeletonMesh> wavefront_skeleton(const Polygon &polygon, double together) {
+  return Wavefront(polygon, together).trace();
 }
 
 }  // namespace mansard

@@ -50,6 +50,24 @@ TEST_CASE("courtyards have slopes of their own") {
   CHECK(apart.moved);
 }
 
+TEST_CASE("slopes of walls along one line are parted square to them") {
+  for (int k = 0; k < 60; ++k) {
+    const double a = 3 + 0.1 * k, turn = 0.1 * k;
+    Polygon house;  // a T, whose wing stands on two walls along one line
+    for (const Vec2 p : {Vec2{0, 0}, Vec2{a + 9, 0}, Vec2{a + 9, 9}, Vec2{a + 4, 9},
+                         Vec2{a + 4, 15}, Vec2{a, 15}, Vec2{a, 9}, Vec2{0, 9}}) {
+      house.add_point({p.x * std::cos(turn) - p.y * std::sin(turn),
+                       p.x * std::sin(turn) + p.y * std::cos(turn)});
+    }
+    house.close_ring();
+    const SkeletonMesh mesh = skeleton_of(house).mesh;
+    const Vec3 wing = mesh.nodes[mesh.face(2)[2]], ridge = mesh.nodes[mesh.face(2)[3]];
+    CAPTURE(k);
+    CHECK(mesh.face(2).size() == 5);
+    CHECK(std::abs(length(test::flat(wing) - test::flat(ridge)) - 2.5) < 1e-6);
+  }
+}
+
 TEST_CASE("over near squares the ridge shrinks to a point and does not flicker") {
   for (const double turn : {0.0, 0.3, 0.7853981633974483}) {
     for (double more = 1; more > 1e-15; more /= 3) {
@@ -101,6 +119,31 @@ TEST_CASE("curves, slivers and millimetres are no trouble") {
   steps.close_ring();
   CHECK(skeleton_of(steps).polygon.points.size() == 801);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && defined(NDEBUG)
+TEST_CASE("thousands of points take less than two seconds") {
+  test::RandomPolygons random(1);
+  Polygon star;
+  for (int i = 0; i < 3900; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 3900, radius = random.between(20, 50);
+    star.add_point({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  star.close_ring();
+  Polygon line;  // all but two along one edge
+  for (int i = 0; i < 8000; ++i) line.add_point({i * 0.01, 0});
+  for (const Vec2 p : {Vec2{80, 9}, Vec2{0, 9}}) line.add_point(p);
+  line.close_ring();
+  Polygon tangle;
+  for (int i = 0; i < 8000; ++i) tangle.add_point({random.between(0, 99), random.between(0, 99)});
+  tangle.close_ring();
+  for (const Polygon& polygon : {star, regular(19000, 50), line, tangle}) {
+    const double begin = test::cpu_seconds();
+    best_skeleton(polygon);
+    CHECK(test::cpu_seconds() - begin < 2);
+  }
+  CHECK(skeleton_of(star).fallback == 1);
+}
+#endif
 
 // Heights of convex roofs are the least distance to a wall.
 TEST_CASE("skeletons over convex polygons are the nearest walls") {
@@ -174,8 +217,9 @@ TEST_CASE("the wavefront's skeletons are CGAL's") {
   for (const Named& named : all) {
     const auto cleaned = clean(named.polygon, {});
     if (!cleaned || cleaned->polygon.points.size() > 200) continue;
-    const auto ours = checked_skeleton(cleaned->polygon, {SkeletonMaker::wavefront, 1e-8, 1e-5});
-    const auto cgals = checked_skeleton(cleaned->polygon, {SkeletonMaker::cgal, 1e-6, 1e-6});
+    const auto ours =
+        checked_skeleton(cleaned->polygon, {SkeletonMaker::wavefront, 1e-8, 1e-5, 1e-7});
+    const auto cgals = checked_skeleton(cleaned->polygon, {SkeletonMaker::cgal, 1e-6, 1e-6, 0});
     if (!ours || !cgals) {
       ++alone;
       continue;
