@@ -5,8 +5,8 @@
 #include "cli/derive_all.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/remarks.hpp"
 #include "cli/report.hpp"
-#include "cli/said.hpp"
 
 namespace mansard {
 namespace {
@@ -55,30 +55,6 @@ std::string summary(const Report& report, std::size_t bytes, const std::string& 
          std::to_string(bytes / 1000) + " kB: " + out;
 }
 
-/// "note: 3 roofs had to be made by a simpler construction: 2 coarser, 1 flat".
-void tell_roofs(const Session& session, const RoofTroubles& roofs) {
-  using Reason = std::pair<std::size_t, std::string_view>;
-  const auto tell = [&](std::string_view what, std::initializer_list<Reason> reasons) {
-    std::size_t sum = 0;
-    std::string list;
-    for (const auto& [count, reason] : reasons) {
-      sum += count;
-      if (count > 0)
-        list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(reason);
-    }
-    if (sum > 0)
-      session.say("note: " + std::to_string(sum) + (sum == 1 ? " roof " : " roofs ") +
-                  std::string(what) + ": " + list);
-  };
-  tell("had to be made by a simpler construction",
-       {{roofs.coarser, "on an outline coarser by centimetres"},
-        {roofs.one_ridge, "with one ridge over the whole"},
-        {roofs.flat, "flat"}});
-  tell("could not have all that was asked", {{roofs.no_apex, "without a pyramid's point"},
-                                             {roofs.no_break, "without a break"},
-                                             {roofs.low, "with a thinner edge"}});
-}
-
 int derive(Job& job) {
   const Program& program = job.session.program();
   const DeriveOptions options = derive_options(job.arguments, program);
@@ -94,15 +70,13 @@ int derive(Job& job) {
   if (const auto path = job.arguments.value("--report")) report_file.emplace(*path);
   Looks looks(program);
   Report report(program);
-  Said said;
+  Remarks remarks(job.session);
   const Totals totals = [&] {
     Progress progress(set.footprints.size(), job.session.quiet());
     return derive_all(program, job.session.meshes(), set.footprints, options,
                       thread_option(job.arguments), keep_going, [&](Derived& derived) {
                         Building& building = derived.building;
-                        said.print(job.session, building.warnings);
-                        for (const std::string& line : building.printed)
-                          job.session.say(building.id + ": " + line);
+                        remarks.add(building);
                         progress.step();
                         if (derived.error) {
                           job.session.print(*derived.error);
@@ -121,12 +95,8 @@ int derive(Job& job) {
   const std::size_t bytes = writer->finish(looks.all());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
   if (report_file) report.write(*report_file, seconds.count());
-  job.session.say(summary(report, bytes, job.out));
-  if (report.parts_cut > 0)
-    job.session.say("note: " + std::to_string(report.parts_cut) +
-                    (report.parts_cut == 1 ? " part of a split was" : " parts of splits were") +
-                    " cut for want of room");
-  tell_roofs(job.session, report.roofs);
+  job.session.say(summary(report, bytes, job.out) + job.session.style_taken(job.arguments));
+  remarks.finish(program);
   if (totals.failed + broken > 0)
     job.session.say(std::to_string(totals.failed + broken) +
                     (totals.failed + broken == 1 ? " footprint was" : " footprints were") +

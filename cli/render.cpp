@@ -3,6 +3,7 @@
 #include "cli/output.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
+#include "cli/remarks.hpp"
 #include "formats/meshes.hpp"
 
 namespace mansard {
@@ -35,21 +36,24 @@ void add_model(const std::string& path, Scene& scene) {
 
 /// Returns how many footprints failed; nothing when the style did.
 std::optional<std::size_t> add_derivation(Session& session, const Arguments& arguments,
-                                          Scene& scene) {
+                                          Remarks& remarks, Scene& scene) {
   if (!session.compile(arguments.positional()[0], compile_options(arguments))) return std::nullopt;
   std::size_t failed = 0;
   const bool keep_going = arguments.has("--keep-going");
   const FootprintSet set = footprints(session, arguments.positional()[1], arguments, failed);
   Looks looks(session.program());
-  Progress progress(set.footprints.size(), session.quiet());
-  const Totals totals = derive_all(session.program(), session.meshes(), set.footprints,
-                                   derive_options(arguments, session.program()),
-                                   thread_option(arguments), keep_going, [&](Derived& derived) {
-                                     progress.step();
-                                     if (derived.error) return session.print(*derived.error);
-                                     looks.adopt(derived.building);
-                                     scene.add(derived.building.surface);
-                                   });
+  const Totals totals = [&] {
+    Progress progress(set.footprints.size(), session.quiet());
+    return derive_all(session.program(), session.meshes(), set.footprints,
+                      derive_options(arguments, session.program()), thread_option(arguments),
+                      keep_going, [&](Derived& derived) {
+                        remarks.add(derived.building);
+                        progress.step();
+                        if (derived.error) return session.print(*derived.error);
+                        looks.adopt(derived.building);
+                        scene.add(derived.building.surface);
+                      });
+  }();
   scene.paints = looks.paints();
   if (totals.interrupted || (totals.failed > 0 && !keep_going)) return std::nullopt;
   return failed + totals.failed;
@@ -58,16 +62,18 @@ std::optional<std::size_t> add_derivation(Session& session, const Arguments& arg
 int draw(Session& session, const Arguments& arguments, const PictureOptions& options,
          const std::string& out) {
   Scene scene;
+  Remarks remarks(session);
   std::size_t failed = 0;
   if (arguments.positional().size() == 2) {
-    const auto result = add_derivation(session, arguments, scene);
+    const auto result = add_derivation(session, arguments, remarks, scene);
     if (!result) return exit_input;
     failed = *result;
   } else {
     add_model(arguments.positional()[0], scene);
   }
   write_picture(render(scene, options), out);
-  session.say("picture: " + out);
+  session.say("picture: " + out + (session.compiled() ? session.style_taken(arguments) : ""));
+  if (session.compiled()) remarks.finish(session.program());
   return failed > 0 ? exit_input : exit_done;
 }
 

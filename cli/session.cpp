@@ -67,6 +67,14 @@ void Session::say(const std::string& line) const {
   if (!quiet_) std::fprintf(stderr, "%s\n", json_ ? note_to_json(line).c_str() : line.c_str());
 }
 
+std::string Session::style_taken(const Arguments& arguments) const {
+  const syntax::File* const file = library_.main_file();
+  if (arguments.has("--style") || arguments.has("--styles") || !file || file->styles.size() < 2)
+    return {};
+  return " (style " + std::string(file->styles.back().name.text) + ", the last of " +
+         std::to_string(file->styles.size()) + ")";
+}
+
 bool Session::compile(const std::string& script, const CompileOptions& options) {
   Diagnostics diagnostics;
   const bool read = library_.load(script, diagnostics) != nullptr;

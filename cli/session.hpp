@@ -55,6 +55,9 @@ class Session {
     }
   }
   void say(const std::string& line) const;  ///< unless --quiet
+  /// Which style was taken where none was asked for and the script has several:
+  /// " (style Mine, the last of 6)"; else nothing.
+  std::string style_taken(const Arguments& arguments) const;
   bool quiet() const { return quiet_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/remarks.hpp"
 #include "cli/session.hpp"
 
 namespace mansard {
@@ -136,8 +137,9 @@ int tree(Session& session, const Arguments& arguments) {
   Derivation derivation(session.program(), session.meshes(), options);
   Building building;
   derivation.derive(set.footprints[0], building);
-  for (const Diagnostic& d : building.warnings) session.print(d);
-  for (const std::string& line : building.printed) session.say(building.id + ": " + line);
+  Remarks remarks(session);
+  remarks.add(building);
+  remarks.finish(session.program());
   const Tree tree(session.program(), building.tree,
                   arguments.number("--depth", 1'000'000, 1, 1'000'000));
   std::vector<uint32_t> roots{0};

@@ -8,10 +8,11 @@
 #include "cli/output.hpp"
 #include "cli/picture.hpp"
 #include "cli/progress.hpp"
-#include "cli/said.hpp"
+#include "cli/remarks.hpp"
 #include "cli/vary_axes.hpp"
 #include "cli/vary_export.hpp"
 #include "grammar/utf8.hpp"
+#include "interpreter/messages.hpp"
 #include "interpreter/properties.hpp"
 #include "render/sheet.hpp"
 
@@ -39,7 +40,8 @@ class Vary {
       : session_(session),
         arguments_(arguments),
         keep_going_(arguments.has("--keep-going")),
-        out_(picture_output(arguments)) {
+        out_(picture_output(arguments)),
+        remarks_(session) {
     sheet_.cell = picture_options(arguments, usual_cell);
     sheet_.font = MANSARD_FONT;
   }
@@ -57,6 +59,7 @@ class Vary {
   void make_children();
   bool derive_cell(std::size_t number);
   std::unique_ptr<Program> compiled(const Child& child, Cell& cell);
+  const std::string& caption(const Cell& cell) const;
   void fail(Cell& cell, Diagnostic diagnostic);
   void derive_program(const Program& program, const Child& child, Cell& cell);
   void note_stronger(const Program& program);
@@ -77,7 +80,7 @@ class Vary {
   std::size_t failed_ = 0;
   bool interrupted_ = false, told_stronger_ = false;
   std::optional<std::vector<Diagnostic>> misnamed_;  ///< properties, in all styles so far
-  Said said_;
+  Remarks remarks_;
 };
 
 int Vary::run() {
@@ -96,10 +99,14 @@ int Vary::run() {
   if (misnamed_) std::ranges::for_each(*misnamed_, [&](const auto& d) { session_.print(d); });
   note_alike();
   draw();
-  if (export_)
-    session_.say(std::to_string(export_->finish()) +
-                 " models and styles: " + *arguments_.value("--export"));
-  session_.say(std::to_string(cells_.size()) + " variations: " + out_);
+  if (export_) {
+    const std::size_t count = export_->finish();
+    session_.say(
+        (count == 1 ? "1 model and style: " : std::to_string(count) + " models and styles: ") +
+        *arguments_.value("--export"));
+  }
+  session_.say(count_text(cells_.size(), "variation") + ": " + out_ +
+               session_.style_taken(arguments_));
   return failed_ > 0 ? exit_input : exit_done;
 }
 
@@ -108,7 +115,7 @@ bool Vary::load() {
   const std::string& script = arguments_.positional()[0];
   const bool read = session_.library().load(script, diagnostics) != nullptr;
   diagnostics.sort();
-  said_.print(session_, diagnostics.all());
+  remarks_.print(diagnostics.all());
   if (!read || diagnostics.has_errors()) return false;
   Diagnostics warnings;
   variations_ = variations_of(arguments_, session_.library(), warnings);
@@ -184,16 +191,19 @@ std::unique_ptr<Program> Vary::compiled(const Child& child, Cell& cell) {
     if (d.severity == Severity::error) {
       fail(cell, d);
     } else {
-      said_.print(session_, {&d, 1});
+      remarks_.print({&d, 1});
     }
   }
   return program;
 }
 
+const std::string& Vary::caption(const Cell& cell) const {
+  return variations_.all[static_cast<std::size_t>(&cell - cells_.data())].caption;
+}
+
 void Vary::fail(Cell& cell, Diagnostic diagnostic) {
   if (cell.problem.empty()) cell.problem = diagnostic.text;
-  const auto number = static_cast<std::size_t>(&cell - cells_.data());
-  diagnostic.notes.push_back({"in the picture '" + variations_.all[number].caption + "'", {}});
+  diagnostic.notes.push_back({"in the picture '" + caption(cell) + "'", {}});
   session_.print(diagnostic);
 }
 
@@ -209,15 +219,14 @@ void Vary::derive_program(const Program& program, const Child& child, Cell& cell
       derive_all(program, session_.meshes(), set_.footprints, options, sheet_.cell.threads,
                  keep_going_, [&](Derived& derived) {
                    Building& building = derived.building;
-                   said_.print(session_, building.warnings);
-                   for (const std::string& line : building.printed)
-                     session_.say(building.id + ": " + line);
+                   remarks_.add(building);
                    if (derived.error) return fail(cell, *derived.error);
                    looks.adopt(building);
                    cell.scene.add(building.surface);
                    if (model) model->add({building.id, &building.surface}, symbols, looks.all());
                  });
   cell.scene.paints = looks.paints();
+  remarks_.finish(program, "in the picture '" + caption(cell) + "' ");
   interrupted_ = totals.interrupted;
   if (model && cell.problem.empty()) export_->add(child, std::move(model), looks.all());
 }

@@ -21,6 +21,13 @@ struct ReportEntry {
   std::map<std::string, std::size_t> strings;  ///< how often each text came
 };
 
+/// A split that had too little room.
+struct CutSplit {
+  Span at;                  ///< its sizes
+  std::string_view symbol;  ///< whose rule it is; lives as long as the script
+  std::size_t parts = 0;    ///< cut or left out
+};
+
 struct TreeNode {
   Shape shape;
   uint32_t parent = Shape::none;
@@ -56,6 +63,8 @@ struct Building {
   std::vector<Material> materials;  ///< looks that only this building has
   std::vector<TreeNode> tree;       ///< depth-first, only when DeriveOptions::keep_tree
   std::vector<uint32_t> terminals;  ///< how many, by symbol
+  std::vector<uint32_t> taken;      ///< how often, by production of the program
+  std::vector<CutSplit> cuts;
   std::map<std::string, ReportEntry> report;
   std::vector<std::string> printed;  ///< by print()
   std::vector<Diagnostic> warnings;
@@ -70,6 +79,8 @@ struct Building {
     materials.clear();
     tree.clear();
     std::fill(terminals.begin(), terminals.end(), 0);
+    std::fill(taken.begin(), taken.end(), 0);
+    cuts.clear();
     report.clear();
     printed.clear();
     warnings.clear();

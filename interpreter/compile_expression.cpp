@@ -172,6 +172,7 @@ ExprId Compiler::plain_name(const syntax::Name& name, NameScope& scope) {
   }
   if (name.text == "fits") {
     if (!scope.in_guard) refuse(name.at, "'fits' stands only in the condition of a rule");
+    scope.asked_fits = true;
     if (scope.fits_call == none && scope.body_failed) {
       return constant(Value::of(true), name.at);
     }

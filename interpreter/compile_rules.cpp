@@ -98,6 +98,7 @@ void Compiler::compile_production(Production& p, uint16_t style) {
     scope.fits_call = first_split(p.body);
     p.guard = expression(*rule.guard, scope);
     scope.in_guard = false;
+    p.asks_fits = scope.asked_fits;
   }
   if (rule.probability) p.probability = expression(*rule.probability, scope);
 }

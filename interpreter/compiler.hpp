@@ -25,6 +25,7 @@ struct NameScope {
   bool symbols = false;      ///< a bare unknown name in capitals is a symbol
   uint16_t* salt = nullptr;  ///< counts random calls
   bool body_failed = false;  ///< so `fits` may ask about a split that is not known
+  bool asked_fits = false;   ///< `fits` stands in the guard
 };
 
 class Compiler {

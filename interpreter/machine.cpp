@@ -49,6 +49,7 @@ void Machine::reset(const Footprint& input, Building& result) {
   result.clear();
   result.id = input.id;
   result.terminals.resize(program.symbols.size());
+  result.taken.resize(program.productions.size());
   stack_.clear();
   nodes_.clear();
   polygons_.reset();
@@ -159,6 +160,7 @@ void Machine::rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env
     return;
   }
   const uint32_t rules_before = current_rules_;
+  ++building->taken[static_cast<std::size_t>(chosen - program.productions.data())];
   production = chosen;
   current_rules_ = rule_set;
   bind_index(*chosen, rules, shape, env);

@@ -151,6 +151,7 @@ struct Call {
 struct Production {
   ExprId guard = none;
   bool is_else = false;
+  bool asks_fits = false;   ///< its condition does
   bool joins_else = false;  ///< same `else` as the production before it: they are alternatives
   ExprId index_test = none;
   ExprId probability = none;

@@ -129,6 +129,17 @@ void report_leftover(Context& c, double left, double whole) {
   }
 }
 
+void count_cut(Context& c) {
+  Building& building = *c.machine.building;
+  ++building.parts_cut;
+  const auto known = std::ranges::find(building.cuts, c.call.args_at, &CutSplit::at);
+  if (known != building.cuts.end()) {
+    ++known->parts;
+  } else {
+    building.cuts.push_back({c.call.args_at, c.machine.production->syntax->name.text, 1});
+  }
+}
+
 /// Runs from 0 over the lengths at scratch_sizes[first...]; make(i, low, high) for each part there
 /// is.
 template <class F>
@@ -137,8 +148,7 @@ void lay_out(Context& c, std::size_t first, std::size_t n, double whole, F make)
   for (std::size_t i = 0; i < n; ++i) {
     const double size = c.machine.scratch_sizes[first + i];
     const double high = std::min(at + size, whole);
-    if (size > touch && (at > whole - touch || at + size > whole + touch))
-      ++c.machine.building->parts_cut;
+    if (size > touch && (at > whole - touch || at + size > whole + touch)) count_cut(c);
     // The last part ends exactly where the scope does.
     const double end =
         i + 1 == n && std::abs(whole - high) < 1e-9 * std::max(1.0, whole) ? whole : high;
