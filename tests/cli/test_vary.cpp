@@ -122,7 +122,8 @@ TEST_CASE("twelve seeds, as many as asked, from the one that is asked") {
   CHECK(twelve.err == "12 variations: sheet.png (style Broad, the last of 2)\n");
   CHECK(atelier.has_sheet());
   const Run three = atelier.vary({"--count", "3", "--seed", "7", "--export", "out"});
-  CHECK(three.err == "3 models and styles: out\n3 variations: sheet.png (style Broad, the last of 2)\n");
+  CHECK(three.err ==
+        "3 models and styles: out\n3 variations: sheet.png (style Broad, the last of 2)\n");
   CHECK(atelier.files("out", ".style") ==
         Words{"01-seed-7.style", "02-seed-8.style", "03-seed-9.style"});
   CHECK(

@@ -3,7 +3,8 @@
 
 Every step names its finished script at its end. What the step shows must stand in that script, and
 what is new in the script since the step before must be shown. The script must be free of errors and
-warnings. Every command is run with it as house.style; output that is shown must be what comes out
+warnings. Every command is run with it as house.style; one that imports the script of the step before
+is mine.style beside that. Output that is shown must be what comes out
 (a comment `<!-- script: FILE -->` before it says that another script makes it). Pictures must be
 there.
 """
@@ -29,7 +30,7 @@ COMMAND = re.compile(
 
 def main():
     mansard = Path(sys.argv[1]).resolve()
-    problems, commands, before = [], 0, ""
+    problems, commands, before, last = [], 0, "", ""
     steps = STEP.findall(PAGE.read_text(encoding="utf-8"))
     used = {ROOT / name for name in re.findall(r"<!-- script: (\S+) -->", PAGE.read_text())}
     for title, text in steps:
@@ -40,18 +41,23 @@ def main():
         script = ROOT / links[0]
         used.add(script)
         now = script.read_text(encoding="utf-8")
+        own = f'import "{last}"' in now
+        now = now.replace(f'import "{last}"', 'import "house.style"')
+        name, last = "mine.style" if own else "house.style", script.name
         problems += [f"{title}: {p}" for p in difference(SHOWN.findall(text), now, before)]
         problems += [f"{title}: there is no {p}" for p in PICTURE.findall(text)
                      if not (PAGE.parent / p).is_file()]
         with tempfile.TemporaryDirectory() as folder:
             shutil.copy(SCRIPTS / "street.geojson", folder)
+            (Path(folder) / "house.style").write_text(before, encoding="utf-8")
             for command, other, output in COMMAND.findall(text):
                 commands += 1
-                shutil.copy(ROOT / other if other else script, Path(folder) / "house.style")
+                text = (ROOT / other).read_text(encoding="utf-8") if other else now
+                (Path(folder) / name).write_text(text, encoding="utf-8")
                 problems += [f"{title}: {p}" for p in run(mansard, command, output, folder)]
-            shutil.copy(script, Path(folder) / "house.style")
+            (Path(folder) / name).write_text(now, encoding="utf-8")
             problems += [f"{title}: {p}" for p in
-                         run(mansard, "mansard check house.style", "house.style: no errors\n", folder)]
+                         run(mansard, f"mansard check {name}", f"{name}: no errors\n", folder)]
         before = now
     problems += [f"{p.name} is in no step" for p in set(SCRIPTS.glob("*.style")) - used]
     print("\n".join(problems))
