@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 
 #include "grammar/diagnostic.hpp"
@@ -18,8 +19,23 @@ std::string nearest_flag(const Command& command, std::string_view word) {
   std::vector<std::string> names;
   for (const Flag& flag : command.flags) names.push_back(key_of(flag));
   std::vector<std::string_view> views(names.begin(), names.end());
+  if (word.starts_with("--seeds") && std::ranges::find(names, "--count") != names.end())
+    return "; --count N draws N seeds";
   const auto meant = nearest(word.substr(0, word.find('=')), views);
   return meant ? "; did you mean '" + std::string(*meant) + "'?" : "";
+}
+
+/// A list that a space tore: `--styles House, Mine`.
+std::string torn_list(const Command& command, int argc, const char* const* argv) {
+  for (int i = 1; i + 2 < argc; ++i) {
+    const std::string_view value = argv[i + 1];
+    const bool is_flag = std::ranges::any_of(
+        command.flags, [&](const Flag& flag) { return flag.name == std::string_view(argv[i]); });
+    if (is_flag && value.ends_with(','))
+      return "a space ends the list: write " + std::string(argv[i]) + " " + std::string(value) +
+             std::string(argv[i + 2]);
+  }
+  return {};
 }
 
 }  // namespace
@@ -60,6 +76,7 @@ Arguments Arguments::parse(const Command& command, int argc, const char* const* 
   result.positional_ = std::move(words);
   const std::size_t given = result.positional_.size();
   if (given < command.least || given > command.most) {
+    if (std::string help = torn_list(command, argc, argv); !help.empty()) throw UsageError(help);
     throw UsageError("write: mansard " + std::string(command.name) + " " +
                      std::string(command.usage));
   }

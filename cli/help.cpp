@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/argument_table.hpp"
 #include "cli/arguments.hpp"
 #include "cli/topics.hpp"
 #include "cli/vocabulary.hpp"
+#include "cli/word_pages.hpp"
 #include "grammar/codes.hpp"
 #include "grammar/parse.hpp"
 #include "interpreter/attribute_table.hpp"
@@ -27,9 +29,10 @@ void overview() {
   print("\nTopics: ");
   for (const Topic& t : topics()) print(std::string(t.name) + " ");
   print(
-      "operations functions annotations warnings\n\nmansard help COMMAND, an operation, a function "
-      "or a "
-      "warning says more.\n");
+      "operations functions annotations warnings\n\nmansard help WORD says more: a command, a "
+      "topic, a "
+      "warning, and every word and sign of\nthe language: mansard help roof, overhang, super, 1r, "
+      "--sweep.\n");
 }
 
 void command_page(const Command& c) {
@@ -50,8 +53,21 @@ void command_page(const Command& c) {
   }
 }
 
+void named_line(std::string_view name, std::string_view summary) {
+  std::printf("  %-14s %s\n", std::string(name).c_str(), std::string(summary).c_str());
+}
+
 void operation_page(const Operation& o) {
   print(usage(o) + "\n\n  " + std::string(o.summary) + "\n");
+  if (o.count > 0) print("\nArguments\n");
+  for (std::size_t i = 0; i < o.count; ++i) {
+    const std::string_view name = o.parameter_name(i);
+    const bool is_optional = i >= o.required && !(o.variadic && i + 1u == o.count);
+    named_line(name, std::string(argument_summary(o, name)) + (is_optional ? " (optional)" : ""));
+  }
+  if (!o.parts.empty()) print("\nParts\n");
+  for (std::size_t i = 0; i < parts_in(o.parts); ++i)
+    named_line(part_name(o.parts, i), part_summary(o, part_name(o.parts, i)));
   if (!o.example.empty()) print("\nExample\n  FOOTPRINT -> " + std::string(o.example) + "\n");
 }
 
@@ -96,6 +112,15 @@ nlohmann::ordered_json names(std::size_t count, Name name) {
   return all;
 }
 
+/// Objects of name and summary.
+template <class Row>
+nlohmann::ordered_json explained(std::size_t count, Row row) {
+  return names(count, [&](std::size_t i) {
+    const auto [name, summary] = row(i);
+    return nlohmann::ordered_json{{"name", name}, {"summary", summary}};
+  });
+}
+
 void all_as_json() {
   nlohmann::ordered_json json;
   for (const Command& c : commands()) {
@@ -112,6 +137,16 @@ void all_as_json() {
          {"usage", usage(o)},
          {"args", names(o.count, [&](std::size_t i) { return o.parameter_name(i); })},
          {"parts", names(parts_in(o.parts), [&](std::size_t i) { return part_name(o.parts, i); })},
+         {"arguments", explained(o.count,
+                                 [&](std::size_t i) {
+                                   const std::string_view name = o.parameter_name(i);
+                                   return std::pair(name, argument_summary(o, name));
+                                 })},
+         {"named_parts", explained(parts_in(o.parts),
+                                   [&](std::size_t i) {
+                                     const std::string_view name = part_name(o.parts, i);
+                                     return std::pair(name, part_summary(o, name));
+                                   })},
          {"summary", o.summary},
          {"example", o.example}});
   }
@@ -161,9 +196,14 @@ bool page(std::string_view topic) {
 int run_help(const Arguments& arguments) {
   if (arguments.has("--json")) return all_as_json(), exit_done;
   if (arguments.positional().empty()) return overview(), exit_done;
-  const std::string& topic = arguments.positional()[0];
-  if (page(topic)) return exit_done;
-  std::vector<std::string_view> known{"operations", "functions", "annotations", "warnings"};
+  std::string topic = arguments.positional()[0];
+  if (topic.size() > 2 && topic.ends_with("()")) topic.resize(topic.size() - 2);
+  const std::string words = word_page(topic);
+  const bool has_page = page(topic);
+  print((has_page && !words.empty() ? "\n" : "") + words);
+  if (has_page || !words.empty()) return exit_done;
+  std::vector<std::string_view> known = words_with_pages();
+  known.insert(known.end(), {"operations", "functions", "annotations", "warnings"});
   for (const Command& c : commands()) known.push_back(c.name);
   for (const Operation& o : operations()) known.push_back(o.name);
   for (const Function& f : functions()) known.push_back(f.name);

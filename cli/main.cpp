@@ -13,6 +13,9 @@ namespace {
 
 const Command& command_of(const char* word) {
   if (const Command* found = find_command(word)) return *found;
+  if (std::string_view(word).ends_with(".style"))
+    throw UsageError("a command stands first: mansard render " + std::string(word) +
+                     " rect:10x8 -o picture.png");
   std::vector<std::string_view> names;
   for (const Command& c : commands()) names.push_back(c.name);
   const auto meant = nearest(word, names);
@@ -34,6 +37,12 @@ int run(int argc, char** argv) {
       const char* const topic[] = {"help", word};
       return run_help(Arguments::parse(*find_command("help"), 2, topic));
     }
+  }
+  // `mansard help --camera` asks about a flag.
+  const bool asks = &command == find_command("help") && argc == 3 && argv[2][0] == '-';
+  if (asks && std::strcmp(argv[2], "--json") != 0) {
+    const char* const words[] = {"help", "--", argv[2]};
+    return run_help(Arguments::parse(command, 3, words));
   }
   const int shift = argc > 1 ? 1 : 0;
   return command.run(Arguments::parse(command, argc - shift, argv + shift));

@@ -41,8 +41,9 @@ PictureOptions picture_options(const Arguments& arguments, PictureSize otherwise
 
 std::string picture_output(const Arguments& arguments) {
   const auto out = arguments.value("--output");
-  if (!out || !out->ends_with(".png"))
-    throw UsageError("say where the picture goes: -o PICTURE.png");
+  if (!out) throw UsageError("say where the picture goes: -o PICTURE.png");
+  if (!out->ends_with(".png"))
+    throw UsageError("'" + *out + "' has no ending that this version draws: it draws .png");
   return *out;
 }
 

@@ -83,6 +83,9 @@ int run_render(const Arguments& arguments) {
   const PictureOptions options = picture_options(arguments, {1200, 800});
   const std::string out = picture_output(arguments);
   const bool is_style = arguments.positional()[0].ends_with(".style");
+  if (is_style && arguments.positional().size() == 1)
+    throw UsageError("say what to build on: mansard render " + arguments.positional()[0] +
+                     " rect:10x8 -o " + out);
   if (is_style != (arguments.positional().size() == 2)) {
     throw UsageError(
         "write: mansard render MODEL -o PICTURE.png, or mansard render FILE.style FOOTPRINTS -o "

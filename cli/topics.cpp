@@ -16,6 +16,7 @@ building and the variables that shape it.
   }
 
 A rule rewrites a symbol:  NAME(params)[index] : condition -> successor : probability
+Every word has a page: mansard help override, mansard help ::, mansard help overhang.
 See also: mansard help rules, successors, sizes, selectors, variables, inheritance, elements,
 attributes, frames; docs/language.md is the whole of it.)"},
     Topic{
@@ -103,7 +104,9 @@ mansard explain FILE.style says who gives what, mansard explain FILE.style Tile.
 
 A weight or a bar ends an alternative; : sets, + adds, - takes away. An element's meshes are its levels of
 detail, nearest first; a flat scope keeps the mesh's own depth. Looks are drawn per "shape", "building" or
-the nearest shape above of a symbol. See mansard help files for where meshes are looked for.)"},
+the nearest shape above of a symbol. See mansard help files for where meshes are looked for.
+Pictures show looks in sunlight: lighter than written where it falls, darker in the shade. A model has them
+as written.)"},
     Topic{"attributes", "What an expression can read of a shape",
           R"(  W H D (= scope.sx, scope.sy, scope.sz)  scope.tx scope.ty scope.tz
   area volume perimeter inradius edges  is_rectangle is_convex is_planar
@@ -170,6 +173,8 @@ over only when they begin with this first line.)"},
     Topic{
         "files", "Where imports, meshes and textures are looked for",
         R"(  import "parts.style"             beside the importing file, in --style-path, in the library
+                                   It stands at the top of a script, which then knows that one's styles:
+                                   style Mine : House { Tile { override var Width = 0.9 } }
   Elements { WINDOW : "w.mesh" }   the same places; then w.obj and w.glb; if missing, warning W008
   insert("tree.obj"), texture("brick.png")   beside the script
 

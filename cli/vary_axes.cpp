@@ -30,6 +30,8 @@ const syntax::Style& style_of(const Library& library, const std::string& name) {
   Diagnostic d;
   d.text = "no style " + in_quotes(name) + " in this file";
   if (const auto meant = nearest(name, names)) d.help = "did you mean " + in_quotes(*meant) + "?";
+  if (name.find(',') != std::string::npos) d.help = "several styles are given by --styles A,B,C";
+  if (name.empty()) d.help = "write the names without spaces and with one comma: --styles A,B,C";
   throw Failure(std::move(d));
 }
 
@@ -37,6 +39,8 @@ const syntax::Style& style_of(const Library& library, const std::string& name) {
 std::vector<const syntax::Style*> bases(const Arguments& arguments, const Library& library) {
   std::vector<const syntax::Style*> styles;
   if (const auto list = arguments.value("--styles")) {
+    if (arguments.values("--styles").size() > 1)
+      throw UsageError("'--styles' is given twice: write the names in one, A,B,C");
     if (arguments.has("--style")) throw UsageError("give --style or --styles, not both");
     for (std::size_t begin = 0; begin <= list->size();) {
       const std::size_t end = std::min(list->find(',', begin), list->size());
@@ -72,7 +76,7 @@ Axis swept(const std::vector<Change>& changes) {
 }
 
 std::vector<Axis> axes(const Arguments& arguments, const std::vector<const syntax::Style*>& styles,
-                       const LinkedStyle& first) {
+                       const LinkedStyle& first, const Library& library) {
   std::vector<Axis> all;
   if (arguments.has("--styles")) {
     Axis& axis = all.emplace_back();
@@ -82,7 +86,7 @@ std::vector<Axis> axes(const Arguments& arguments, const std::vector<const synta
     }
   }
   for (const std::string& text : arguments.values("--sweep"))
-    all.push_back(swept(sweep(text, first)));
+    all.push_back(swept(sweep(text, first, library)));
   if (all.empty() || arguments.has("--count")) {
     const long long count =
         arguments.number("--count", usual_count, 1, static_cast<long long>(most_variations));
@@ -130,10 +134,11 @@ void add_settings(Variation& variation, const std::vector<Change>& settings) {
   variation.changes = std::move(changes);
 }
 
-std::vector<Change> settings_of(const Arguments& arguments, const LinkedStyle& style) {
+std::vector<Change> settings_of(const Arguments& arguments, const LinkedStyle& style,
+                                const Library& library) {
   std::vector<Change> settings;
   for (const std::string& text : arguments.values("--set")) {
-    Change change = setting(text, style);
+    Change change = setting(text, style, library);
     std::erase_if(settings, [&](const Change& c) { return c.name == change.name; });
     settings.push_back(std::move(change));
   }
@@ -150,8 +155,8 @@ Variations variations_of(const Arguments& arguments, const Library& library,
   for (const syntax::Style* style : styles) all_linked.push_back(linked(library, *style, warnings));
   const LinkedStyle& first = all_linked.front();
 
-  const std::vector<Axis> what_varies = axes(arguments, styles, first);
-  const std::vector<Change> settings = settings_of(arguments, first);
+  const std::vector<Axis> what_varies = axes(arguments, styles, first, library);
+  const std::vector<Change> settings = settings_of(arguments, first, library);
   Variations result;
   result.all = crossed(what_varies);
   if (what_varies.size() == 2) result.columns = static_cast<int>(what_varies[1].size());

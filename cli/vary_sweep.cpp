@@ -6,8 +6,11 @@
 #include <cmath>
 
 #include "cli/arguments.hpp"
+#include "grammar/enumerate.hpp"
 #include "grammar/in_quotes.hpp"
 #include "grammar/parse.hpp"
+#include "interpreter/number_wanted.hpp"
+#include "styles/library.hpp"
 
 namespace mansard {
 namespace {
@@ -24,21 +27,55 @@ constexpr std::size_t enough = 9;  // values of a range, when nobody has asked f
 
 // ---- names
 
-const VariableBinding& variable_of(const std::string& name, std::string_view flag,
-                                   const LinkedStyle& style) {
+const VariableBinding* find_variable(const std::string& name, const LinkedStyle& style) {
   const auto dot = name.find('.');
-  const VariableBinding* const found =
-      dot == std::string::npos ? style.find_variable({}, name)
-                               : style.find_variable(name.substr(0, dot), name.substr(dot + 1));
-  if (found) return *found;
-  std::vector<std::string> names;
-  for (const VariableBinding& v : style.variables)
+  return dot == std::string::npos ? style.find_variable({}, name)
+                                  : style.find_variable(name.substr(0, dot), name.substr(dot + 1));
+}
+
+/// "add --style House": the styles that have a variable which this one lacks.
+std::string of_other_styles(const std::string& name, const LinkedStyle& style,
+                            const Library& library) {
+  std::vector<std::string> others;
+  for (const syntax::Style* other : library.styles()) {
+    Diagnostics quiet;
+    if (other->name.text == style.name()) continue;
+    const auto linked = link(library, *other, quiet);
+    if (linked && find_variable(name, *linked)) others.push_back(in_quotes(other->name.text));
+  }
+  if (others.empty()) return {};
+  const std::string first = others.front().substr(1, others.front().size() - 2);
+  return (others.size() == 1 ? "style " : "styles ") + enumerate(others, "and") +
+         (others.size() == 1 ? " has it" : " have it") + ": add --style " + first;
+}
+
+/// `Width` of the blocks that have one, or what looks like the name.
+std::string other_names(const std::string& name, std::string_view flag, const LinkedStyle& style) {
+  std::vector<std::string> names, of_blocks;
+  for (const VariableBinding& v : style.variables) {
     names.push_back((v.block.empty() ? "" : std::string(v.block) + ".") + std::string(v.name));
+    if (v.name == name) of_blocks.push_back(std::string(flag) + " " + names.back());
+  }
+  if (!of_blocks.empty())
+    return (of_blocks.size() == 1 ? "it belongs to a block: " : "it belongs to blocks: ") +
+           enumerate(of_blocks, "or");
   const std::vector<std::string_view> views(names.begin(), names.end());
   const auto meant = nearest(name, views);
+  return meant ? "did you mean " + in_quotes(*meant) + "?" : "";
+}
+
+const VariableBinding& variable_of(const std::string& name, std::string_view flag,
+                                   const LinkedStyle& style, const Library& library) {
+  if (const VariableBinding* const found = find_variable(name, style)) return *found;
+  std::string help = of_other_styles(name, style, library);
+  if (help.empty()) help = other_names(name, flag, style);
+  const auto colon = name.find(':');
+  if (colon != std::string::npos && name.find("::") == std::string::npos)
+    help =
+        "write " + std::string(flag) + " " + name.substr(0, colon) + "=" + name.substr(colon + 1);
   refuse(std::string(flag) + " " + name + ": style " + in_quotes(style.name()) +
              " has no variable of that name",
-         meant ? "did you mean " + in_quotes(*meant) + "?" : "");
+         std::move(help));
 }
 
 // ---- values
@@ -64,13 +101,24 @@ bool is_in_capitals(std::string_view word) {
          });
 }
 
+/// Refused for a variable that holds a number.
+std::string text_for(const std::string& flag, const std::string& value,
+                     const VariableBinding& variable) {
+  if (!holds_number(variable)) return quoted(value);
+  const bool sweeps = flag.starts_with("--sweep");
+  refuse(flag + ": " + in_quotes(variable.name) + " is a number, " + in_quotes(value) + " is none",
+         sweeps && value.find("..") != value.npos ? "write a range as from:to:step"
+                                                  : number_help(value),
+         variable.syntax->name.at);
+}
+
 /// As --set reads a value: what is no expression is text.
-std::string literal_of(const std::string& value, const VariableBinding& variable,
-                       const LinkedStyle& style) {
+std::string literal_of(const std::string& flag, const std::string& value,
+                       const VariableBinding& variable, const LinkedStyle& style) {
   const Source source("value", value);
   Diagnostics quiet;
   const syntax::ExprPtr expr = parse_expression(source, quiet);
-  if (!expr || quiet.has_errors()) return quoted(value);
+  if (!expr || quiet.has_errors()) return text_for(flag, value, variable);
   const bool holds_text =
       variable.syntax->value && std::holds_alternative<syntax::Text>(variable.syntax->value->is);
   if (const auto* name = std::get_if<syntax::Reference>(&expr->is);
@@ -79,7 +127,8 @@ std::string literal_of(const std::string& value, const VariableBinding& variable
     const bool is_known = is_in_capitals(word) || style.find_symbol(word) ||
                           style.find_variable({}, word) ||
                           style.find_variable(variable.block, word);
-    return is_known && !holds_text ? std::string(word) : quoted(word);
+    return is_known && !holds_text ? std::string(word)
+                                   : text_for(flag, std::string(word), variable);
   }
   const bool is_number = std::holds_alternative<syntax::Number>(expr->is) ||
                          std::holds_alternative<syntax::Chain>(expr->is);
@@ -229,22 +278,28 @@ std::vector<std::string> annotated_values(const std::string& name,
 
 }  // namespace
 
-std::vector<Change> sweep(const std::string& text, const LinkedStyle& style) {
+std::vector<Change> sweep(const std::string& text, const LinkedStyle& style,
+                          const Library& library) {
   const auto equals = text.find('=');
   const std::string name = text.substr(0, equals);
   if (name.empty())
     throw UsageError("--sweep takes NAME=from:to:step, NAME=value,value or NAME, not '" + text +
                      "'");
-  const VariableBinding& variable = variable_of(name, "--sweep", style);
+  const VariableBinding& variable = variable_of(name, "--sweep", style, library);
+  const std::string flag = "--sweep " + text;
   std::vector<std::string> values;
   if (equals == std::string::npos) {
     values = annotated_values(name, variable);
-  } else if (auto range = range_values("--sweep " + text, text.substr(equals + 1))) {
+  } else if (auto range = range_values(flag, text.substr(equals + 1))) {
     values = std::move(*range);
   } else {
     for (const std::string& part : split_list(text.substr(equals + 1))) {
-      if (part.empty()) throw UsageError("--sweep " + text + ": a value is missing");
-      values.push_back(literal_of(part, variable, style));
+      if (part.empty()) throw UsageError(flag + ": a value is missing");
+      if (const auto hyphen = part.find('-', 1); hyphen != part.npos &&
+                                                 number_in(part.substr(0, hyphen)) &&
+                                                 number_in(part.substr(hyphen + 1)))
+        throw UsageError(flag + ": write a range as from:to:step, with ':' between them");
+      values.push_back(literal_of(flag, part, variable, style));
     }
   }
   std::vector<Change> changes;
@@ -253,13 +308,13 @@ std::vector<Change> sweep(const std::string& text, const LinkedStyle& style) {
   return changes;
 }
 
-Change setting(const std::string& text, const LinkedStyle& style) {
+Change setting(const std::string& text, const LinkedStyle& style, const Library& library) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw UsageError("--set takes NAME=VALUE, not '" + text + "'");
   const std::string name = text.substr(0, equals);
-  const VariableBinding& variable = variable_of(name, "--set", style);
-  return {name, literal_of(text.substr(equals + 1), variable, style)};
+  const VariableBinding& variable = variable_of(name, "--set", style, library);
+  return {name, literal_of("--set " + text, text.substr(equals + 1), variable, style)};
 }
 
 }  // namespace mansard

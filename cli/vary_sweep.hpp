@@ -8,6 +8,8 @@
 
 namespace mansard {
 
+class Library;
+
 /// No more pictures on a sheet, and no more values in a sweep.
 constexpr std::size_t most_variations = 400;
 
@@ -19,10 +21,11 @@ struct Change {
 
 /// `text` is NAME=from:to:step, NAME=value,value… or NAME, which takes the variable's @range or
 /// @choice. Throws UsageError for another form, Failure when the style has no such variable or the
-/// variable nothing to take.
-std::vector<Change> sweep(const std::string& text, const LinkedStyle& style);
+/// variable nothing to take; `library` is asked for styles that have it.
+std::vector<Change> sweep(const std::string& text, const LinkedStyle& style,
+                          const Library& library);
 
 /// NAME=VALUE of --set, likewise. A bare word is text unless it is a name that the style knows.
-Change setting(const std::string& text, const LinkedStyle& style);
+Change setting(const std::string& text, const LinkedStyle& style, const Library& library);
 
 }  // namespace mansard

@@ -28,9 +28,30 @@ std::string lower_ending(const std::string& path) {
   return ending;
 }
 
+/// Of the files in the folder where one is missing the one with nearly its name.
+std::string nearest_beside(const fs::path& missing) {
+  constexpr std::size_t most = 1000;
+  const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < most;
+       it.increment(error)) {
+    names.push_back(it->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto near = nearest(missing.filename().string(), views);
+  return near ? std::string(*near) : std::string();
+}
+
 [[noreturn]] void fail_missing(const std::string& what) {
-  const bool may_be_literal = what.find_first_of(":(") != what.npos;
-  fail("no such file: '" + what + "'", may_be_literal ? "or write " + literal_forms() : "");
+  std::string help = what.find_first_of(":(") != what.npos ? "or write " + literal_forms() : "";
+  if (!what.empty() && what.find_first_not_of("0123456789.x") == what.npos &&
+      what.find('x') != what.npos)
+    help = "a rectangle is written rect:" + what;
+  if (const std::string near = nearest_beside(what); help.empty() && !near.empty())
+    help = "did you mean '" + near + "'?";
+  fail("no such file: '" + what + "'", help);
 }
 
 RawSet read_raw(const std::string& what, const FootprintOptions& options) {

@@ -37,7 +37,8 @@ Say what is left over:
     style Shop : Georgian, Glazed { }       // both give rules to FACADE
 
 So it is with variables, functions, elements and materials of one name. Settle it in the child, or mark the
-winner 'override' or let it call 'super' when it is made to be mixed in.)"},
+winner 'override' or let it call 'super' when it is made to be mixed in. A mixin whose rule says 'super'
+stands before what it goes on with: style Mine : Cornice, House.)"},
     CodePage{
         "W004", "A member is overridden in another block than its own.",
         R"(Rules are overridden by symbol, whatever block they stand in. A reader looks for them in the block
@@ -194,8 +195,9 @@ Correct the name, or add the folder with --style-path.)"},
 the style. This one fits no variable, so it changes nothing.
 
     "properties": { "Tile.WindwoWidth": 1.2 }              // Tile.WindowWidth
+    "properties": { "HEIGHT": 9 }                          // attr("height", 6) reads 'height'
 
-Correct it in the data or in --attr.)"},
+Names are told apart by case, those that attr() reads too. Correct it in the data or in --attr.)"},
     CodePage{
         "W022", "A style that may be asked for is not loaded.",
         R"(style(…) derives under the style of this name, and the script itself gives a name that no loaded style

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "grammar/in_quotes.hpp"
+#include "grammar/lonely_brace.hpp"
 #include "grammar/slips.hpp"
 
 namespace mansard {
@@ -192,6 +193,13 @@ class Failing {
   void note_open(Diagnostic& made, const char* open) const {
     if (!open) return;
     const uint32_t at = offset(open);
+    const auto lonely =
+        *open == '{' ? static_cast<uint32_t>(lonely_brace(text_, at, offset(at_))) : at;
+    if (lonely != at) {
+      made.notes.push_back(
+          {"as the lines are indented, this '{' has no '}'", {&source_, lonely, lonely + 1}});
+      return;
+    }
     made.notes.push_back(
         {std::string("this '") + *open + "' is still open", {&source_, at, at + 1}});
   }

@@ -31,7 +31,7 @@ template <> inline constexpr Wording wording<name>{"a name"};
 template <> inline constexpr Wording wording<word>{"a word"};
 template <> inline constexpr Wording wording<text>{"a string"};
 template <> inline constexpr Wording wording<digits>{"a number"};
-template <> inline constexpr Wording wording<number_end>{nullptr, "a number ends before a letter", "lengths are in metres and bear no unit; a share of a split is written 1r"};
+template <> inline constexpr Wording wording<number_end>{nullptr, "a number ends before a letter", "lengths are in metres, angles in degrees, and neither bears a unit; a share of a split is written 1r"};
 template <> inline constexpr Wording wording<subscript>{"a value"};
 template <> inline constexpr Wording wording<expr>{"a value"};
 template <> inline constexpr Wording wording<arg>{"an argument"};

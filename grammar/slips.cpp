@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "grammar/in_quotes.hpp"
+#include "grammar/slips_elsewhere.hpp"
 
 namespace mansard {
 
@@ -261,6 +262,8 @@ std::string of_expressions(const Stuck& stuck) {
 }  // namespace
 
 std::string explain_slip(const Stuck& stuck) {
+  if (std::string help = odd_quotes(stuck) ? std::string() : explain_habit(stuck); !help.empty())
+    return help;
   if (std::string help = of_expressions(stuck); !help.empty()) return help;
   if (std::string help = missing_sign(stuck); !help.empty()) return help;
   if (std::string help = foreign_word(stuck); !help.empty()) return help;

@@ -34,11 +34,16 @@ void Compiler::check_constants() {
   }
 }
 
-std::string Compiler::style_meant(std::string_view name) const {
+std::string Compiler::style_meant(std::string_view name, Span at) const {
   std::vector<std::string_view> names;
   for (const syntax::Style* style : library_.styles()) names.push_back(style->name.text);
   const std::string help = meant(name, names);
-  return help.empty() ? "import the file that holds it" : help;
+  return help.empty() ? library_.how_to_import(name, at) : help;
+}
+
+void Compiler::refuse_style(const syntax::Name& name) const {
+  refuse(name.at, "no style '" + std::string(name.text) + "' is loaded",
+         style_meant(name.text, name.at));
 }
 
 /// `style("Terrace")::FOOTPRINT`.
@@ -48,7 +53,7 @@ void Compiler::check_style_named(ExprId id) {
   const Value& value = program_.constants[node.first];
   if (value.type != Type::string || library_.find(value.string())) return;
   refuse(program_.spans[id], "no style '" + std::string(value.string()) + "' is loaded",
-         style_meant(value.string()));
+         style_meant(value.string(), program_.spans[id]));
 }
 
 /// W022: names among which footprints, conditions and draws choose; `""` stands for none.
@@ -77,7 +82,7 @@ void Compiler::warn_of_style(const Value& name) {
   d.code = "W022";
   d.at = program_.origin(name);
   d.text = "no style '" + std::string(name.string()) + "' is loaded";
-  d.help = style_meant(name.string());
+  d.help = style_meant(name.string(), d.at);
   if (is_checked(d.at)) diagnostics_.add(std::move(d));
 }
 

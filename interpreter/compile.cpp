@@ -34,12 +34,6 @@ std::string meant(std::string_view word, std::span<const std::string_view> candi
   return near ? "did you mean '" + std::string(*near) + "'?" : std::string();
 }
 
-void refuse_style(const syntax::Name& name, std::span<const std::string_view> loaded) {
-  const std::string help = meant(name.text, loaded);
-  refuse(name.at, "no style '" + std::string(name.text) + "' is loaded",
-         help.empty() ? "import the file that has it" : help);
-}
-
 namespace {
 
 /// "A, B, C", no more than twenty of them.

@@ -4,6 +4,7 @@
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/roof_words.hpp"
+#include "interpreter/words_elsewhere.hpp"
 
 namespace mansard {
 
@@ -91,6 +92,8 @@ void Compiler::not_an_operation(const syntax::Emit& e, uint16_t style) {
   std::string help = meant(e.name.text, known);
   if (name.starts_with("roof") && meant_roof_kind(name))  // CityEngine's roofHip(35)
     help = "write roof(\"" + std::string(*meant_roof_kind(name)) + "\", pitch)";
+  if (const std::string_view here = operation_elsewhere(e.name.text); !here.empty())
+    help = "write " + std::string(here);
   if (help.empty() && known_symbols_.contains(e.name.text) && !e.args)
     help = "only an operation takes { ... }; put the parts into a rule of '" + name + "'";
   refuse(e.name.at, "unknown operation '" + name + "'", help);
@@ -157,11 +160,7 @@ void Compiler::emit_elsewhere(const syntax::Emit& e, Span at, NameScope& scope,
   if (e.parts) refuse(e.parts->at, "only an operation takes { ... }");
   if (e.style) {
     const auto style = style_number(e.style.text);
-    if (!style) {
-      std::vector<std::string_view> names;
-      for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
-      refuse_style(e.style, names);
-    }
+    if (!style) refuse_style(e.style);
     step.style = *style;
     const auto* target = program_.styles[*style].linked->find_symbol(e.name.text);
     const std::size_t given = e.args ? e.args->size() : 0;

@@ -14,6 +14,25 @@ constexpr std::array<std::string_view, 3> later_options{"tolerance", "even", "in
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
+/// `roof(hip, 30)`, `comp(f)`, `extrude(world.up, 3)`: what is unknown was meant as a text, or is
+/// one of another language.
+void explain_bare_word(Diagnostic& d, const Operation& operation, ArgType type,
+                       const syntax::Arg& arg) {
+  const auto* word = std::get_if<syntax::Reference>(&arg.value.value->is);
+  if (!word || word->style || !d.text.starts_with("unknown variable")) return;
+  const std::string_view text = arg.at.text();
+  if (text == "world.up" || text == "y.up" || text == "face.normal") {
+    d.help = "extrude(height) goes up where the shape lies flat, else out of its plane";
+  } else if (operation.name == "comp" && text.size() == 1) {
+    d.help = "the parts say which faces: comp { side : A | top : B }";
+  } else if (d.help.empty() && operation.name == "color") {
+    d.help = "a colour is a string: color(\"" + std::string(text) + "\") or color(\"#445566\")";
+  } else if (d.help.empty() && word->names.size() == 1 && type != ArgType::number &&
+             type != ArgType::length && type != ArgType::sizes) {
+    d.help = "text stands in quotes: \"" + std::string(text) + "\"";
+  }
+}
+
 /// `{ side FACADE | top : ROOF }`
 void refuse_lost_colon(const syntax::Part& part, std::span<const std::string_view> labels) {
   if (part.label || part.body.size() < 2) return;
@@ -91,10 +110,18 @@ std::size_t Compiler::argument_place(const Operation& operation, const syntax::A
                                      std::size_t position) {
   if (!arg.name) {
     if (position >= operation.count && !operation.variadic) {
+      std::string help =
+          "write " + std::string(operation.name) + "(" + std::string(operation.args) + ")";
+      if (operation.name == "color")
+        help = "red, green and blue stand in one text: color(\"#445566\")";
+      if (operation.name == "split")
+        help =
+            "sizes stand before the parts: split(\"X\") { 1 : A | 1r : B }, or "
+            "subdiv(\"X\", 1, 1r) { A | B }";
       refuse(
           arg.at,
           quoted(operation.name) + " takes " + count_text(operation.count, "argument") + " at most",
-          "write " + std::string(operation.name) + "(" + std::string(operation.args) + ")");
+          help);
     }
     return position;
   }
@@ -129,7 +156,12 @@ SizeExpr Compiler::size_argument(const Operation& operation, std::size_t place,
   }
   SizeExpr size;
   size.kind = kind;
-  size.value = expression(*arg.value.value, scope);
+  try {
+    size.value = expression(*arg.value.value, scope);
+  } catch (Failure& failure) {
+    explain_bare_word(failure.diagnostic, operation, type, arg);
+    throw;
+  }
   return size;
 }
 

@@ -131,11 +131,7 @@ uint32_t Compiler::variable_slot(uint16_t style, std::string_view block,
 /// `Other::SYMBOL`: of another style a symbol, and nothing else.
 ExprId Compiler::symbol_elsewhere(const syntax::Reference& r, Span at) {
   const auto style = style_number(r.style.text);
-  if (!style) {
-    std::vector<std::string_view> names;
-    for (const syntax::Style* s : library_.styles()) names.push_back(s->name.text);
-    refuse_style(r.style, names);
-  }
+  if (!style) refuse_style(r.style);
   const std::string_view name = r.names[0].text;
   const bool is_variable =
       !known_symbols_.contains(name) &&
@@ -208,6 +204,11 @@ void Compiler::unknown_name(const syntax::Name& name, const NameScope& scope) {
     if (v.name == name.text)
       help = "write '" + qualified(v.block, v.name) + "': it belongs to another block";
   }
+  const auto is_slip = [&](const Diagnostic& d) {
+    return d.code == "W016" && d.at && d.at.text() == scope.block;
+  };
+  if (std::ranges::any_of(diagnostics_.all(), is_slip))
+    help = "it is known where '" + std::string(scope.block) + "' is written as the warning says";
   if (find_function(name.text))
     help = "it is a function: write " + std::string(name.text) + "(...)";
   refuse(name.at, "unknown variable '" + std::string(name.text) + "'", help);

@@ -112,7 +112,8 @@ Material Compiler::material_of(const syntax::MaterialAlternative& alternative, s
       if (values.size() != 1 || !is(0, Type::string) ||
           !parse_color(values[0].string(), material.color)) {
         refuse(look.args_at ? look.args_at : look.name.at,
-               "color() takes \"#rgb\", \"#rrggbb\" or a CSS colour name");
+               "color() takes \"#rgb\", \"#rrggbb\" or a CSS colour name",
+               "for instance color(\"#445566\") or color(\"slategray\")");
       }
     } else if (look.name.text == "texture") {
       if (!is(0, Type::string) || values.size() > 3 ||

@@ -21,8 +21,11 @@ bool same_else(const syntax::Rule& a, const syntax::Rule& b) {
 void Compiler::check_rule_name(uint16_t style, const SymbolRules& symbol) {
   if (!find_operation(symbol.name)) return;
   const Generation& base = symbol.generations.back();
+  const Span name = base.productions.front()->name.at;
+  const auto is_told = [&](const Diagnostic& d) { return d.at == name && d.code.empty(); };
+  if (std::ranges::any_of(diagnostics_.all(), is_told)) return;
   attempt(style, base.from.block ? base.from.block->name.text : "", [&] {
-    refuse(base.productions.front()->name.at,
+    refuse(name,
            "'" + std::string(symbol.name) + "' is an operation and can not be the name of a rule",
            "choose another name");
   });

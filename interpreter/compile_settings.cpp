@@ -1,5 +1,9 @@
 // --set NAME=VALUE.
+#include <algorithm>
+
+#include "grammar/enumerate.hpp"
 #include "interpreter/compiler.hpp"
+#include "interpreter/number_wanted.hpp"
 
 namespace mansard {
 
@@ -28,13 +32,18 @@ Diagnostic Compiler::unknown_setting(const std::string& full, std::string_view s
   }
   d.text = "--set " + full + ": no variable of that name";
   std::vector<std::string_view> names;
+  std::vector<std::string> of_blocks;
   for (const VariableSlot& variable : program_.variables) {
     names.push_back(variable.name);
-    if (variable.binding->name != name || variable.binding->block.empty()) continue;
-    d.help = "it belongs to a block: --set " + variable.name;
-    return d;
+    const std::string flag = "--set " + variable.name;
+    const bool is_known = std::ranges::find(of_blocks, flag) != of_blocks.end();
+    if (variable.binding->name == name && !variable.binding->block.empty() && !is_known)
+      of_blocks.push_back(flag);
   }
-  d.help = meant(name, names);
+  d.help = of_blocks.empty()
+               ? meant(name, names)
+               : (of_blocks.size() == 1 ? "it belongs to a block: " : "it belongs to blocks: ") +
+                     enumerate(of_blocks, "or");
   return d;
 }
 
@@ -61,9 +70,17 @@ void Compiler::apply_setting(const std::string& full, const std::string& value) 
   ExprId id = none;
   try {
     NameScope scope{program_.main_style, {}, {}, none, false, false, &salt};
-    if (parsed) id = expression(*parsed, scope);
+    if (parsed && !quiet.has_errors()) id = expression(*parsed, scope);
   } catch (const Failure&) {
     id = none;
+  }
+  const VariableBinding& variable = *program_.variables[slots.front()].binding;
+  if (id == none && holds_number(variable)) {
+    Diagnostic d;
+    d.text = "--set " + full + "=" + value + ": '" + full + "' is a number";
+    d.notes.push_back({"given here", variable.syntax->name.at});
+    d.help = number_help(value);
+    return diagnostics_.add(std::move(d));
   }
   if (id == none)
     id = constant(Value::of(std::string_view(program_.texts.emplace_back(value))), all);

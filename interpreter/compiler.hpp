@@ -146,7 +146,8 @@ class Compiler {
   void check_style_named(ExprId id);
   void warn_of_style(const Value& name);
   void warn_of_styles(ExprId id, int levels);
-  std::string style_meant(std::string_view name) const;
+  std::string style_meant(std::string_view name, Span at) const;
+  [[noreturn]] void refuse_style(const syntax::Name& name) const;
   std::optional<double> constant_number(ExprId id) const;
 
   // analyse.cpp
@@ -192,7 +193,6 @@ class Compiler {
 [[noreturn]] void refuse(Span at, std::string text, std::string help = {},
                          std::vector<Note> notes = {});
 /// No style of this name is among those that are loaded.
-[[noreturn]] void refuse_style(const syntax::Name& name, std::span<const std::string_view> loaded);
 std::string qualified(std::string_view block, std::string_view name);
 /// "did you mean 'x'?" or nothing.
 std::string meant(std::string_view word, std::span<const std::string_view> candidates);

@@ -255,7 +255,8 @@ uint16_t Machine::style_named(const Value& name, Span at) const {
   const auto meant = nearest(word, known);
   const_cast<Machine*>(this)->fail(
       at, "no style '" + std::string(word) + "' is loaded",
-      meant ? "did you mean '" + std::string(*meant) + "'?" : "import the file that holds it");
+      meant ? "did you mean '" + std::string(*meant) + "'?"
+            : "write at the top: import \"FILE.style\", the file that has it");
 }
 
 void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& shape,

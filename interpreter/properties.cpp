@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace mansard {
 
@@ -19,26 +20,44 @@ class Misnamed {
       (v.binding->block.empty() ? style_wide_ : in_blocks_).insert(v.binding->name);
     }
     blocks_.erase(std::string_view());
+    for (uint32_t i = 0; i < program.properties.size(); ++i) read_.insert(program.properties[i]);
   }
 
   /// What to say of a property; nothing when it gives a variable its value, or looks like none.
   std::optional<Diagnostic> check(std::string_view name) const {
-    if (names_.contains(name)) return std::nullopt;
+    if (names_.contains(name) || read_.contains(name)) return std::nullopt;
+    const auto same =
+        std::ranges::find_if(read_, [&](auto read) { return differ_in_case(read, name); });
+    if (same != read_.end()) {
+      return warning(
+          "property '" + std::string(name) + "' is not '" + std::string(*same) +
+              "', which a style reads",
+          "names of properties are told apart by case: write '" + std::string(*same) + "'");
+    }
     const auto dot = name.find('.');
     const auto help = dot == std::string_view::npos
                           ? bare(name)
                           : dotted(name.substr(0, dot), name.substr(dot + 1));
     if (!help) return std::nullopt;
-    Diagnostic d;
-    d.severity = Severity::warning;
-    d.code = "W021";
-    d.text = "property '" + std::string(name) + "' gives no variable its value";
-    d.help = *help;
-    return d;
+    return warning("property '" + std::string(name) + "' gives no variable its value", *help);
   }
 
  private:
   using Words = std::set<std::string_view>;
+
+  static Diagnostic warning(std::string text, std::string help) {
+    Diagnostic d;
+    d.severity = Severity::warning;
+    d.code = "W021";
+    d.text = std::move(text);
+    d.help = std::move(help);
+    return d;
+  }
+
+  static bool differ_in_case(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+  }
 
   static std::string_view nearest_in(const Words& words, std::string_view word) {
     if (words.contains(word)) return word;
@@ -86,6 +105,7 @@ class Misnamed {
   }
 
   Words names_, blocks_, style_wide_, in_blocks_;
+  Words read_;  ///< by attr() and for variables
 };
 
 }  // namespace

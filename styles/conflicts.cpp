@@ -34,6 +34,26 @@ void check_slot(Linking& linking, const Slot<T>& slot, const char* kind) {
 
 }  // namespace
 
+namespace {
+
+/// `House, Cornice`, whose second goes on with super, the other way round; empty when the heir does
+/// not name it as its parent.
+std::string other_order(const syntax::Style& heir, const Rival& loser) {
+  std::string parents;
+  bool names_it = false;
+  for (const syntax::Name& parent : heir.parents) {
+    const bool is_it = parent.text == loser.style->name.text;
+    names_it = names_it || is_it;
+    if (!is_it) parents += ", " + std::string(parent.text);
+  }
+  if (!loser.goes_on || !names_it) return {};
+  const std::string name(loser.style->name.text);
+  return "write '" + std::string(heir.name.text) + " : " + name + parents +
+         "': " + in_quotes(name) + " goes on with super";
+}
+
+}  // namespace
+
 void warn_of_two(Linking& linking, std::string_view name, std::string_view kind, Rival winner,
                  Rival loser) {
   const syntax::Style& heir = linking.ancestry.meeting(*winner.style, *loser.style);
@@ -42,6 +62,7 @@ void warn_of_two(Linking& linking, std::string_view name, std::string_view kind,
   if (kind != "entry") {
     help += ", or mark the " + std::string(kind) + " of " + first + " with override";
   }
+  if (std::string order = other_order(heir, loser); !order.empty()) help = std::move(order);
   linking.diagnostics.add(
       warning("W003", heir.name.at,
               in_quotes(name) + " comes from both " + first + " and " +

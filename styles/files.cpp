@@ -1,5 +1,6 @@
 #include "styles/files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +13,8 @@ namespace fs = std::filesystem;
 std::string Files::identity(const std::string& path) {
   return fs::path(path).lexically_normal().string();
 }
+
+std::vector<std::string> Files::scripts(const std::string&) { return {}; }
 
 // Devices are refused with the directories: /dev/zero has no end.
 std::optional<std::string> DiskFiles::read(const std::string& path) {
@@ -34,6 +37,18 @@ std::optional<std::string> DiskFiles::read(const std::string& path) {
 bool DiskFiles::exists(const std::string& path) {
   std::error_code error;
   return fs::exists(path, error);
+}
+
+std::vector<std::string> DiskFiles::scripts(const std::string& folder) {
+  constexpr std::size_t most = 200;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < most;
+       it.increment(error)) {
+    if (it->path().extension() == ".style") names.push_back(it->path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 std::string DiskFiles::identity(const std::string& path) {

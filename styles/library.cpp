@@ -1,5 +1,6 @@
 #include "styles/library.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -18,6 +19,34 @@ std::string joined(const std::string& folder, const std::string& path) {
   return (fs::path(folder) / path).lexically_normal().string();
 }
 
+/// "did you mean 'house.style'?", of the scripts in the folder of a file that is missing.
+std::string similar_script(Files& files, const std::string& missing) {
+  const fs::path path(missing);
+  const std::string folder = path.parent_path().string();
+  const std::vector<std::string> names = files.scripts(folder.empty() ? "." : folder);
+  const std::string name = path.filename().string();
+  if (std::ranges::find(names, name + ".style") != names.end())
+    return "did you mean " + in_quotes(name + ".style") + "?";
+  return did_you_mean(name, {names.begin(), names.end()});
+}
+
+/// Whether a script's text has `style Name`.
+bool declares(std::string_view text, std::string_view name) {
+  const auto is_word = [](char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  for (const std::string_view word : {"style", "class"}) {
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+      const std::size_t begin = text.find_first_not_of(" \t", at + word.size());
+      if (begin == text.npos || begin == at + word.size() || (at > 0 && is_word(text[at - 1])))
+        continue;
+      const std::string_view found = text.substr(begin, name.size() + 1);
+      if (found.starts_with(name) && (found == name || !is_word(found.back()))) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 const syntax::File* Library::load(const std::string& path, Diagnostics& diagnostics) {
@@ -32,7 +61,7 @@ const syntax::File* Library::load(const std::string& path, Diagnostics& diagnost
     diagnostics.add(error({},
                           there ? in_quotes(path) + " can not be read as a file"
                                 : "there is no file " + in_quotes(path),
-                          {}));
+                          {}, there ? std::string() : similar_script(files_, path)));
   }
   main_ = file;
   if (file && !file->styles.empty()) default_ = &file->styles.back();
@@ -61,9 +90,9 @@ const syntax::File* Library::load_import(const syntax::Import& import, Diagnosti
     }
     looked.push_back({"looked for " + in_quotes(candidate), {}});
   }
-  diagnostics.add(error(import.path->at,
-                        "there is no file " + in_quotes(path->value) + " to import",
-                        std::move(looked)));
+  diagnostics.add(
+      error(import.path->at, "there is no file " + in_quotes(path->value) + " to import",
+            std::move(looked), similar_script(files_, joined(folders[0], path->value))));
   return nullptr;
 }
 
@@ -99,6 +128,17 @@ void Library::add_styles(const syntax::File& file, Diagnostics& diagnostics) {
 const syntax::Style* Library::find(std::string_view name) const {
   const auto found = by_name_.find(name);
   return found == by_name_.end() ? nullptr : found->second;
+}
+
+std::string Library::how_to_import(std::string_view style, const Span& at) const {
+  const std::string folder = folder_of(at);
+  for (const std::string& name : files_.scripts(folder)) {
+    const std::string path = joined(folder, name);
+    if (by_identity_.contains(files_.identity(path))) continue;
+    const std::optional<std::string> text = files_.read(path);
+    if (text && declares(*text, style)) return "write at the top: import \"" + name + "\"";
+  }
+  return "if another script has it, write at the top: import \"FILE.style\"";
 }
 
 std::string Library::folder_of(const Span& at) {

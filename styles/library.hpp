@@ -36,6 +36,9 @@ class Library {
   const syntax::File* main_file() const { return main_; }
   /// Folder of the file that holds `at` (for element meshes and textures named in it).
   static std::string folder_of(const Span& at);
+  /// What to do about a style that is not known, written at `at`: import the script beside it that
+  /// has the style, where there is one.
+  std::string how_to_import(std::string_view style, const Span& at) const;
   /// All files read, in order of beginning to read: a file before what it imports.
   const std::deque<syntax::File>& read_files() const { return parsed_; }
   Files& files() const { return files_; }

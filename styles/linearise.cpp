@@ -146,7 +146,7 @@ class Lineariser {
       if (other != &style) known.push_back(other->name.text);
     }
     std::string help = did_you_mean(name.text, std::move(known));
-    if (help.empty()) help = "import the file that has it";
+    if (help.empty()) help = library_.how_to_import(name.text, name.at);
     return error(name.at, "no style is called " + in_quotes(name.text), {while_linking(style)},
                  std::move(help));
   }

@@ -94,6 +94,7 @@ std::string full_name(std::string_view block, std::string_view name);
 struct Rival {
   const syntax::Style* style;
   Span at;
+  bool goes_on = false;  ///< a rule that says super
 };
 /// W003. `kind` is what the user calls it: "rule", "variable", "function", or "entry" of Elements
 /// and Materials, which can not be marked `override`.

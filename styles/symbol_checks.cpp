@@ -111,7 +111,7 @@ class SymbolCheck {
   }
 
   Rival rival(std::size_t i) const {
-    return {&style(i), generations()[i].productions.front()->head};
+    return {&style(i), generations()[i].productions.front()->head, uses_super(generations()[i])};
   }
 
   /// An heir of both has the word.

@@ -2,6 +2,7 @@
 // instead.
 #include <algorithm>
 
+#include "grammar/enumerate.hpp"
 #include "interpreter/lint/linting.hpp"
 
 namespace mansard {
@@ -106,19 +107,26 @@ class Unread {
   /// An inherited one of this name belongs to another block, so this one overrides nothing.
   template <class Kind>
   bool is_in_another_block(const syntax::Name& name, std::string_view block) {
-    const auto& all = Kind::all(linked_);
-    const auto other = std::ranges::find_if(all, [&](const auto& binding) {
-      return binding.name == name.text && binding.block != block && is_inherited<Kind>(binding);
-    });
-    if (other == all.end()) return false;
-    const std::string home = other->block.empty() ? "the style" : "block " + quoted(other->block);
-    linting_.warn(
-        "W004", name.at,
-        quoted(name.text) + " is a " + Kind::noun + " of " + home + "; given " +
-            (block.empty() ? "in the style" : "in block " + quoted(block)) +
-            " it is a new one, which nothing " + Kind::reads,
-        other->block.empty() ? "move it out of the block" : "move it into " + quoted(other->block),
-        {{"inherited from here", other->syntax->name.at}});
+    std::vector<std::string> homes;
+    std::vector<Note> notes;
+    bool in_style = false;
+    for (const auto& binding : Kind::all(linked_)) {
+      if (binding.name != name.text || binding.block == block || !is_inherited<Kind>(binding))
+        continue;
+      in_style = in_style || binding.block.empty();
+      if (!binding.block.empty()) homes.push_back(quoted(binding.block));
+      notes.push_back({"inherited from here", binding.syntax->name.at});
+    }
+    if (notes.empty()) return false;
+    const std::string home =
+        in_style ? "the style"
+                 : (homes.size() == 1 ? "block " : "blocks ") + enumerate(homes, "and");
+    linting_.warn("W004", name.at,
+                  quoted(name.text) + " is a " + Kind::noun + " of " + home + "; given " +
+                      (block.empty() ? "in the style" : "in block " + quoted(block)) +
+                      " it is a new one, which nothing " + Kind::reads,
+                  in_style ? "move it out of the block" : "move it into " + enumerate(homes, "or"),
+                  std::move(notes));
     return true;
   }
 

@@ -20,7 +20,7 @@ void color(Context& c, std::string_view text) {
   Material look = c.machine.material(c.shape.material);
   if (!parse_color(text, look.color)) {
     c.fail(0, "\"" + std::string(text) + "\" is no colour",
-           "\"#rgb\", \"#rrggbb\" or a CSS colour name");
+           "\"#445566\", \"#456\", or a CSS colour name such as \"slategray\"");
   }
   look.name = "color_" + std::string(text.starts_with('#') ? text.substr(1) : text);
   if (!look.texture.empty()) look.name += "_" + look.texture.substr(look.texture.rfind('/') + 1);

@@ -222,7 +222,7 @@ TEST_CASE("wrong sweeps, styles and counts say what is right") {
 
 TEST_CASE("a variation that fails ends the run, or shows why") {
   const Atelier atelier;
-  const Words fails{"--sweep", "Height=-1,4,wide", "--export", "out"};
+  const Words fails{"--sweep", "Height=-1,4,\"wide\"", "--export", "out"};
   const Run ended = atelier.vary(fails);
   CHECK(ended.status == 1);
   CHECK_FALSE(fs::exists(atelier / "sheet.png"));

@@ -1,0 +1,133 @@
+#include "cli/argument_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace mansard {
+namespace {
+
+// clang-format off
+constexpr std::array arguments{
+    ArgumentRow{"subdiv", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth, or degrees in a face's plane"},
+    ArgumentRow{"subdiv", "size", "one for each part: 2.5 (metres), 30%, 1r (a share of the rest), ~1.2 (about)"},
+    ArgumentRow{"repeat", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth, or degrees in a face's plane"},
+    ArgumentRow{"repeat", "size", "metres, about: the parts stretch to fill"},
+    ArgumentRow{"repeat", "mode", "how the number is rounded: \"nearest\" (if nothing is said), \"fit\" down, \"ceil\" up; at least 1"},
+    ArgumentRow{"split", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth"},
+    ArgumentRow{"comp", "selector", "the faces that the one part takes, comp(\"facades\") { A }; without it every part has its selector"},
+    ArgumentRow{"extrude", "height", "metres, 0 or more"},
+    ArgumentRow{"extrude", "corners", "\"square\" (if nothing is said)"},
+    ArgumentRow{"detrude", "depth", "metres into the wall, 0 or more"},
+    ArgumentRow{"taper", "height", "metres to the point, 0 or more"},
+    ArgumentRow{"offset", "distance", "metres; inwards, a negative one outwards"},
+    ArgumentRow{"setback", "distance", "metres of the strip"},
+    ArgumentRow{"chamfer", "distance", "metres from the corner"},
+    ArgumentRow{"*", "edges", "which edges: a word (\"front\", \"street\"; mansard help selectors), a number, or a list; all if nothing is said"},
+    ArgumentRow{"*", "front", "metres: depth of the wing along the front"},
+    ArgumentRow{"*", "right", "metres: depth of the wing on the right"},
+    ArgumentRow{"*", "back", "metres: depth of the wing along the back"},
+    ArgumentRow{"*", "left", "metres: depth of the wing on the left"},
+    ArgumentRow{"cut", "figure", "\"arch\", \"circle\" or \"segment\""},
+    ArgumentRow{"roof", "kind", "\"flat\", \"hip\", \"gable\" …, the word of a construction"},
+    ArgumentRow{"roof", "pitch", "degrees from level, 0.5 to 85; left out: as the kind usually has it"},
+    ArgumentRow{"roof", "overhang", "metres beyond the walls, 0 to 10; 0 if nothing is said. It makes soffit and fascia"},
+    ArgumentRow{"roof", "height", "metres from the walls' top to the highest point, 0 to 1000; instead of a pitch"},
+    ArgumentRow{"roof", "gables", "the edges that get a gable where a hip would end: words, numbers or a list; all if nothing is said"},
+    ArgumentRow{"roof", "parapet", "metres: height of the wall around a flat roof, 0 to 100; 0 if nothing is said"},
+    ArgumentRow{"roof", "thickness", "metres, upright, of the roof's edge, 0.001 to 10; it shows with an overhang"},
+    ArgumentRow{"roof", "verge", "metres beyond the gables; as the overhang if nothing is said"},
+    ArgumentRow{"roof", "hips", "the edges that stay hips, whatever the kind says"},
+    ArgumentRow{"roof", "ridge", "\"longest\" (if nothing is said), or the edge that the ridge runs along"},
+    ArgumentRow{"roof", "upper_pitch", "degrees of the upper slopes, where a kind has two"},
+    ArgumentRow{"roof", "break_height", "metres above the walls where the upper slopes begin"},
+    ArgumentRow{"roof", "break_inset", "metres inside the walls where the upper slopes begin"},
+    ArgumentRow{"roof", "clipped", "how much of the gable's height is hipped (half_hip), or gable (dutch_hip): a share, 0 to 1"},
+    ArgumentRow{"roof", "tooth", "metres: width of the teeth of a sawtooth roof, about"},
+    ArgumentRow{"roof", "parapet_width", "metres: how thick the parapet is"},
+    ArgumentRow{"upright", "kind", "\"flat\", \"shed\", \"gable\", \"hip\" or \"eyebrow\""},
+    ArgumentRow{"upright", "pitch", "degrees of the dormer's own roof"},
+    ArgumentRow{"upright", "overhang", "metres of the dormer's roof beyond its walls; 0 if nothing is said"},
+    ArgumentRow{"upright", "thickness", "metres, upright, of the edge of the dormer's roof"},
+    ArgumentRow{"insert", "mesh", "the file, .obj or .glb, beside the script or in the style path"},
+    ArgumentRow{"insert", "fit", "\"fit\" (if nothing is said) fills the scope, \"keep\" keeps the mesh's size, \"keep_ratio\" its proportions"},
+    ArgumentRow{"*", "sides", "how many, 3 to 256; 24 if nothing is said"},
+    ArgumentRow{"t", "x", "metres, or 50% of the scope"},
+    ArgumentRow{"t", "y", "metres, or 50% of the scope"},
+    ArgumentRow{"t", "z", "metres, or 50% of the scope"},
+    ArgumentRow{"r", "x", "degrees about the x axis"},
+    ArgumentRow{"r", "y", "degrees about the y axis"},
+    ArgumentRow{"r", "z", "degrees about the z axis"},
+    ArgumentRow{"s", "x", "metres of width, or 50% of what it is"},
+    ArgumentRow{"s", "y", "metres of height, or 50% of what it is"},
+    ArgumentRow{"s", "z", "metres of depth, or 50% of what it is"},
+    ArgumentRow{"pivot", "x", "metres, or 50% of the scope"},
+    ArgumentRow{"pivot", "y", "metres, or 50% of the scope"},
+    ArgumentRow{"pivot", "z", "metres, or 50% of the scope"},
+    ArgumentRow{"center", "axes", "the letters of the axes: \"x\", \"xz\", \"xyz\""},
+    ArgumentRow{"mirror", "axis", "\"x\" (if nothing is said), \"y\" or \"z\""},
+    ArgumentRow{"align", "to", "\"axes\" (y up), \"world\" or \"geometry\""},
+    ArgumentRow{"color", "color", "\"#445566\", \"#456\", or a name of CSS: \"slategray\""},
+    ArgumentRow{"texture", "file", "the picture, .png or .jpg, beside the script"},
+    ArgumentRow{"texture", "u", "metres across of one repeat, more than 0; 1 if nothing is said"},
+    ArgumentRow{"texture", "v", "metres up of one repeat, more than 0; as u if nothing is said"},
+    ArgumentRow{"label", "name", "text"},
+    ArgumentRow{"set", "variable", "its name, without quotes: Tile.Width"},
+    ArgumentRow{"set", "value", "what the variable is worth from here on down"},
+    ArgumentRow{"report", "key", "text: under which key"},
+    ArgumentRow{"report", "value", "a number, which is summed, or a text, which is counted"},
+    ArgumentRow{"print", "value", "any number of values"},
+    ArgumentRow{"fail", "message", "text: what the error says"},
+};
+
+constexpr std::array parts{
+    ArgumentRow{"detrude", "inner", "the face, moved in"},
+    ArgumentRow{"detrude", "reveal", "each face around the recess, from the wall to the inner face"},
+    ArgumentRow{"offset", "inside", "what lies inside of the new outline"},
+    ArgumentRow{"offset", "border", "what lies between the two outlines"},
+    ArgumentRow{"setback", "kept", "what is left without the strips"},
+    ArgumentRow{"setback", "strip", "each strip"},
+    ArgumentRow{"*", "shape", "the wings"},
+    ArgumentRow{"*", "rest", "what the first part leaves"},
+    ArgumentRow{"inner_rectangle", "inside", "the rectangle"},
+    ArgumentRow{"cut", "inside", "the figure"},
+    ArgumentRow{"cut", "outside", "what the figure leaves"},
+    ArgumentRow{"*", "slope", "each sloping face"},
+    ArgumentRow{"*", "gable", "each upright face below the roof's ends"},
+    ArgumentRow{"roof", "top", "the level face of a flat roof"},
+    ArgumentRow{"upright", "top", "the level face of a flat dormer"},
+    ArgumentRow{"upright", "front", "the face in which the window stands"},
+    ArgumentRow{"upright", "cheek", "the triangles at the sides"},
+    ArgumentRow{"*", "soffit", "the underside of an overhang"},
+    ArgumentRow{"*", "fascia", "the upright edge of an overhang"},
+    ArgumentRow{"roof", "parapet", "the faces of the wall around a flat roof"},
+    ArgumentRow{"roof", "lower", "the steep slopes of a kind with two, instead of slope"},
+    ArgumentRow{"roof", "upper", "the upper slopes of a kind with two, instead of slope"},
+    ArgumentRow{"*", "ridge", "the line along the top"},
+    ArgumentRow{"*", "hip", "the line where two slopes meet in an outer corner"},
+    ArgumentRow{"*", "valley", "the line where two slopes meet in an inner corner"},
+    ArgumentRow{"*", "eave", "the lower edge of a slope"},
+    ArgumentRow{"*", "rake", "the edge of a slope along a gable"},
+};
+// clang-format on
+
+std::string_view find(std::span<const ArgumentRow> rows, std::string_view operation,
+                      std::string_view name) {
+  const auto it = std::ranges::find_if(rows, [&](const ArgumentRow& row) {
+    return row.name == name && (row.operation == "*" || row.operation == operation);
+  });
+  return it == rows.end() ? std::string_view{} : it->summary;
+}
+
+}  // namespace
+
+std::span<const ArgumentRow> argument_rows() { return arguments; }
+std::span<const ArgumentRow> part_rows() { return parts; }
+
+std::string_view argument_summary(const Operation& operation, std::string_view name) {
+  return find(arguments, operation.name, name);
+}
+std::string_view part_summary(const Operation& operation, std::string_view name) {
+  return find(parts, operation.name, name);
+}
+
+}  // namespace mansard
