@@ -144,6 +144,7 @@ class Failing {
     }
     Diagnostic made = make(found_, text, help);
     if (ends) made.at = end_of_text();
+    if (!ends && wants_.size() == 1 && wants("'{'")) point_behind_word(made);
     if (bracket_matters(braces_around)) note_open(made, place_.open);
     if (made.help.empty()) made.help = meant_word();
     return made;
@@ -181,6 +182,18 @@ class Failing {
     if (!around_.behind) return;
     made.also.push_back(made.at);
     made.at = {&source_, offset(around_.behind), offset(around_.behind)};
+  }
+  /// A '{' that is missing on a line above, with nothing but documentation between.
+  void point_behind_word(Diagnostic& made) const {
+    const std::string_view word = member_word();
+    const char* at = word.data() + word.size();
+    if (word.empty() || at > at_ || std::find(at, at_, '\n') == at_) return;
+    while (at < at_ && (std::strchr(" \t\r\n", *at) || at[0] == '/'))
+      at = *at == '/' ? std::find(at, at_, '\n') : at + 1;
+    if (at != at_) return;
+    made.also.push_back(made.at);
+    const uint32_t end = offset(word.data() + word.size());
+    made.at = {&source_, end, end};
   }
   void note_end(Diagnostic& made, const char* of) const {
     if (!around_.behind || around_.behind == text_.data() || around_.behind[-1] != '}') return;
