@@ -91,6 +91,11 @@ void add_face(Roof& roof, RoofPart part, EdgeTag tag, std::span<const Vec3> loop
   if (face.loop.size() >= 3) roof.faces.push_back(std::move(face));
 }
 
+bool has_party_wall(const Polygon& polygon) {
+  return std::any_of(polygon.tags.begin(), polygon.tags.end(),
+                     [](EdgeTag tag) { return tag.has(EdgeTag::party); });
+}
+
 double rise_of(double pitch) {
   constexpr double degree = std::numbers::pi / 180;
   return std::tan(std::clamp(pitch, 0.01, 89.0) * degree);

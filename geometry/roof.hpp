@@ -37,8 +37,9 @@ struct RoofOptions {
   double pitch = 0;
   double height = 0;  ///< metres from the walls' top to the highest point; used instead of pitch
   /// Metres, horizontal, beyond the walls: at eaves, and at gables (`verge`; as at the eaves when
-  /// negative). Gables over party walls stay flush, the neighbour stands there. Corners go only a
-  /// share of the way where they would meet other eaves.
+  /// negative). None over party walls, where the neighbour stands; pyramids
+  /// and swept kinds beside one have none at all. Corners go only a share of the
+  /// way where they would meet other eaves.
   double overhang = 0, verge = -1;
   double thickness = 0.15;  ///< metres, upright, of the roof's edge; only with overhang
   double upper_pitch = 0;   ///< degrees, of the upper slopes; 0: 25 for mansard, 30 otherwise

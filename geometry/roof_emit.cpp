@@ -112,7 +112,8 @@ class Emitter {
     for (std::size_t i = 0; i < face.loop.size(); ++i) {
       const uint32_t a = face.loop[i], b = face.loop[(i + 1) % face.loop.size()];
       loop.push_back(face.over_wall ? wall(a) : upper(a));
-      const bool foot = face.over_wall ? i == 0 : thickness_ == 0 && along_wall(e, a, b);
+      const bool low = plan_.nodes[a].wall.z == 0 && plan_.nodes[b].wall.z == 0;
+      const bool foot = face.over_wall ? low : thickness_ == 0 && along_wall(e, a, b);
       if (foot) add_top(loop, e, wall(a), wall(b));
     }
     add_face(roof_, face.part, tag(e), loop);

@@ -34,8 +34,11 @@ void add_band(Roof& roof, RoofPart part, EdgeTag tag, Vec2 a, Vec2 b, double low
 
 // The slab's underside and edge; what stands on it gets its outline and height.
 double add_slab(Roof& roof, Polygon& polygon, const RoofOptions& options) {
-  const std::size_t n = polygon.points.size();
-  const MovedOutline outer = move_outline(polygon, std::vector<double>(n, options.overhang));
+  std::vector<double> reach(polygon.points.size(), options.overhang);
+  for (std::size_t e = 0; e < reach.size(); ++e) {
+    if (polygon.tags[e].has(EdgeTag::party)) reach[e] = 0;
+  }
+  const MovedOutline outer = move_outline(polygon, reach);
   Polygon slab = polygon;
   slab.points = outer.points;
   const double thickness = std::max(options.thickness, 0.0);
@@ -45,6 +48,12 @@ double add_slab(Roof& roof, Polygon& polygon, const RoofOptions& options) {
     for (uint32_t i = begin; i < end; ++i) {
       const uint32_t next = i + 1 == end ? begin : i + 1;
       const Vec2 a = slab.points[i], b = slab.points[next];
+      if (reach[i] == 0) {
+        add_face(roof, RoofPart::fascia, slab.tags[i],
+                 std::array{at(a, 0), at(walls[i], 0), at(walls[next], 0), at(b, 0),
+                            at(b, thickness), at(a, thickness)});
+        continue;
+      }
       add_face(roof, RoofPart::soffit, slab.tags[i],
                std::array{at(b, 0), at(a, 0), at(walls[i], 0), at(walls[next], 0)});
       add_band(roof, RoofPart::fascia, slab.tags[i], a, b, 0, thickness);

@@ -31,6 +31,8 @@ std::optional<Roof> skeleton_roof(const Polygon& polygon, const RoofOptions& opt
 /// (for other kinds; Roof::fallback 5). nullopt when the polygon crosses itself.
 std::optional<Roof> swept_roof(const Polygon& polygon, const RoofOptions& options);
 
+bool has_party_wall(const Polygon& polygon);
+
 /// Degrees to metres up per metre inwards.
 double rise_of(double pitch);
 /// options.pitch, or what the kind has when that is 0.

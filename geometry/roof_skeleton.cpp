@@ -96,7 +96,7 @@ std::optional<RoofPlan> plan_pyramid(SkeletonOn& on, const RoofOptions& options,
     longest = length(b - a);
     high = distance;  // the longest wall's slope has the pitch
   });
-  const double out = std::min(options.overhang, nearest) / nearest;
+  const double out = has_party_wall(on.polygon) ? 0 : std::min(options.overhang, nearest) / nearest;
   for (uint32_t i = 0; i < n && out > 0; ++i) {
     const Vec2 p = *apex + (on.polygon.points[i] - *apex) * (1 + out);
     plan.nodes[i].outer = {p.x, p.y, -out};

@@ -60,7 +60,8 @@ class SweptRoof {
       : roof_(roof), footprint_(footprint), frame_(frame_for(footprint, along)) {
     double span = 0;
     for (const Vec2 p : footprint.points) span = std::max(span, frame_.in(p).y);
-    overhang_ = options.kind == RoofKind::sawtooth ? 0 : options.overhang;
+    overhang_ =
+        options.kind == RoofKind::sawtooth || has_party_wall(footprint) ? 0 : options.overhang;
     thickness_ = overhang_ > 0 ? thickness_of(options) : 0;
     roof.low = thickness_ > 0 && thickness_ < options.thickness;
     sweep_ = sweep_of(options, span, options.height > 0 ? options.height - thickness_ : 0);
@@ -107,8 +108,7 @@ class SweptRoof {
   std::vector<double> reaches() const {
     std::vector<double> reach(footprint_.points.size(), overhang_);
     for_each_edge(footprint_, [&](uint32_t e, Vec2 a, Vec2 b) {
-      const bool eave = std::abs(dot(normalized(b - a), along_)) > 0.7;
-      if (!eave) reach[e] = footprint_.tags[e].has(EdgeTag::party) ? 0 : verge_;
+      if (std::abs(dot(normalized(b - a), along_)) <= 0.7) reach[e] = verge_;
     });
     return reach;
   }

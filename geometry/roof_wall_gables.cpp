@@ -56,7 +56,8 @@ void add_gable(RoofPlan& plan, uint32_t e, const WallFrame& frame, double middle
   plan.faces.push_back({RoofPart::gable, e, true, {left, right, tip}});
   plan.faces.push_back({RoofPart::slope, e, false, {left, tip, end}});
   plan.faces.push_back({RoofPart::slope, e, false, {right, end, tip}});
-  plan.borders[e] = {e, left, tip, right, plan.next[e]};
+  std::vector<uint32_t>& border = plan.borders[e];
+  border.insert(border.begin() + 1, {left, tip, right});
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ void add_wall_gables(RoofPlan& plan, const RoofOptions& options) {
     const EdgeTag tag = plan.footprint->tags[e];
     if (plan.ends[e] != RoofEnd::hip || tag.has(EdgeTag::party)) continue;
     if (!is_convex_at(plan, e) || !is_convex_at(plan, plan.next[e])) continue;
-    const RoofPlan::Node a = plan.nodes[e], b = plan.nodes[plan.next[e]];
+    const std::vector<uint32_t>& border = plan.borders[e];
+    const RoofPlan::Node a = plan.nodes[border.front()], b = plan.nodes[border.back()];
     const Vec2 from{a.wall.x, a.wall.y}, to{b.wall.x, b.wall.y};
     const WallFrame frame{from, normalized(to - from), plan.lines[e].normal};
     const double wide = length(to - from), middle = wide / 2;
