@@ -25,7 +25,8 @@ class Misnamed {
 
   /// What to say of a property; nothing when it gives a variable its value, or looks like none.
   std::optional<Diagnostic> check(std::string_view name) const {
-    if (names_.contains(name) || read_.contains(name)) return std::nullopt;
+    const bool measures = name == "height" || name == "min_height";  // read for BUILDING_HEIGHT
+    if (measures || names_.contains(name) || read_.contains(name)) return std::nullopt;
     const auto same =
         std::ranges::find_if(read_, [&](auto read) { return differ_in_case(read, name); });
     if (same != read_.end()) {

@@ -149,3 +149,12 @@ TEST_CASE("a property that differs only in case from one that is read") {
   CHECK(has(done.err, "warning[W021]: property 'HEIGHT' is not 'height', which a style reads\n"));
   CHECK(run({"tree", "a.style", "rect:6x4", "--attr", "height=9"}, folder.path()).err.empty());
 }
+
+TEST_CASE("the footprint's height is no misspelt variable Height") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.style")
+      << "style A { var Height = BUILDING_HEIGHT Mass { FOOTPRINT -> extrude(Height) { MASS } } }";
+  const Run done = run({"tree", "a.style", "rect:6x4", "--attr", "height=9"}, folder.path());
+  CHECK(done.status == 0);
+  CHECK(done.err.empty());
+}

@@ -55,7 +55,7 @@ inline std::string broken_face(const Roof& roof, double flatness) {
     if (face.part == RoofPart::top && normal.z < 0.999) return "a top is not level";
     if (face.part == RoofPart::gable && std::abs(normal.z) > 1e-4) return "a gable is not upright";
     const bool level = normal.z > 1 - 1e-6;  // the upper side of a cornice
-    if (face.part == RoofPart::fascia && std::abs(normal.z) > 1e-6 && !level) {
+    if (face.part == RoofPart::fascia && std::abs(normal.z) > 1e-4 && !level) {
       return "a fascia is neither upright nor level";
     }
   }
