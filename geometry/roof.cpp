@@ -10,11 +10,6 @@
 namespace mansard {
 namespace {
 
-bool is_swept(RoofKind kind) {
-  return kind == RoofKind::shed || kind == RoofKind::saltbox || kind == RoofKind::sawtooth ||
-         kind == RoofKind::barrel;
-}
-
 // Far from the origin digits would be lost.
 Vec2 origin_of(const Polygon& polygon) {
   if (polygon.points.empty()) return {};
@@ -89,6 +84,11 @@ void add_face(Roof& roof, RoofPart part, EdgeTag tag, std::span<const Vec3> loop
   }
   while (face.loop.size() > 1 && face.loop.front() == face.loop.back()) face.loop.pop_back();
   if (face.loop.size() >= 3) roof.faces.push_back(std::move(face));
+}
+
+bool is_swept(RoofKind kind) {
+  return kind == RoofKind::shed || kind == RoofKind::saltbox || kind == RoofKind::sawtooth ||
+         kind == RoofKind::barrel;
 }
 
 bool has_party_wall(const Polygon& polygon) {

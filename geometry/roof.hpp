@@ -79,19 +79,11 @@ struct Roof {
   bool low = false;       ///< `height` is less than twice the thickness: a thinner edge instead
 };
 
-/// A roof that stands on `polygon` at up = 0. With the walls below it is closed, its edges are
-/// shared point by point. With overhang it is a slab `thickness` thick whose underside runs through
-/// the walls' tops; eaves steeper than 55 degrees stand out level, as a cornice. Never fails: a
-/// footprint without a skeleton gets fallback 5 or 6.
+/// A roof that stands on `polygon` at up = 0. With the walls below it is closed; roofs over a
+/// skeleton share the walls' tops point by point, the others and wall gables add points along them.
+/// With overhang it is a slab `thickness` thick whose underside runs through the walls' tops; eaves
+/// steeper than 55 degrees stand out level, as a cornice. Never fails: a footprint without a
+/// skeleton gets fallback 5 or 6.
 Roof roof(const Polygon& polygon, const RoofOptions& options);
-
-/// Straight skeleton: every edge's face as a loop of (u, v, inset distance), first edge the
-/// polygon's edge, in edge order (edges that cleaning merged have an empty face but the longest).
-/// nullopt when no rung of the ladder of fallbacks gave a checked skeleton.
-struct Skeleton {
-  std::vector<std::vector<Vec3>> faces;
-  int fallback = 1;
-};
-std::optional<Skeleton> straight_skeleton(const Polygon& polygon);
 
 }  // namespace mansard

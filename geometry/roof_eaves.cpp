@@ -27,10 +27,8 @@ void move_half_hip(RoofPlan& plan, uint32_t e, double by) {
   const WallLine& wall = plan.lines[e];
   const auto move = [&](uint32_t node, const WallLine& slope) {
     const Vec3 p = plan.nodes[node].wall;
-    const double determinant = cross(wall.normal, slope.normal);
-    const double a = -by - wall.c, b = p.z - by - slope.c;
-    plan.nodes[node].outer = {(a * slope.normal.y - b * wall.normal.y) / determinant,
-                              (wall.normal.x * b - slope.normal.x * a) / determinant, p.z - by};
+    const auto eave = at_distances(wall, -by, slope, p.z - by);
+    if (eave) plan.nodes[node].outer = {eave->x, eave->y, p.z - by};
   };
   move(border[1], plan.lines[plan.before[e]]);
   move(border[2], plan.lines[plan.next[e]]);

@@ -131,15 +131,6 @@ std::vector<RidgeEnd> ends_of_quad(SkeletonOn& on, const std::vector<char>& want
   return ends;
 }
 
-// The point at the distances s and t from two walls.
-std::optional<Vec2> at_distances(const WallLine& one, double s, const WallLine& two, double t) {
-  const double determinant = cross(one.normal, two.normal);
-  if (std::abs(determinant) < 1e-9) return std::nullopt;
-  const double a = s - one.c, b = t - two.c;
-  return Vec2{(a * two.normal.y - b * one.normal.y) / determinant,
-              (one.normal.x * b - two.normal.x * a) / determinant};
-}
-
 // Puts `more` between two neighbours in a loop.
 void insert_between(std::vector<uint32_t>& loop, uint32_t a, uint32_t b, uint32_t more) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -228,6 +219,14 @@ class End {
 };
 
 }  // namespace
+
+std::optional<Vec2> at_distances(const WallLine& one, double s, const WallLine& two, double t) {
+  const double determinant = cross(one.normal, two.normal);
+  if (std::abs(determinant) < 1e-9) return std::nullopt;
+  const double a = s - one.c, b = t - two.c;
+  return Vec2{(a * two.normal.y - b * one.normal.y) / determinant,
+              (one.normal.x * b - two.normal.x * a) / determinant};
+}
 
 std::optional<Vec3> ridge_above(const WallLine& left, const WallLine& right, const WallLine& wall) {
   const Vec2 n = left.normal - right.normal;

@@ -28,9 +28,11 @@ Roof flat_roof(const Polygon& polygon, const RoofOptions& options);
 std::optional<Roof> skeleton_roof(const Polygon& polygon, const RoofOptions& options);
 
 /// The kinds that are swept along a direction, and the single ridge that any footprint can have
-/// (for other kinds; Roof::fallback 5). nullopt when the polygon crosses itself.
+/// (for other kinds; Roof::fallback 5). nullopt when the polygon crosses itself or is a sliver.
 std::optional<Roof> swept_roof(const Polygon& polygon, const RoofOptions& options);
 
+/// A profile along a direction, without a skeleton.
+bool is_swept(RoofKind kind);
 bool has_party_wall(const Polygon& polygon);
 
 /// Degrees to metres up per metre inwards.
@@ -45,6 +47,9 @@ inline double verge_of(const RoofOptions& options) {
 }
 /// The pitch from which eaves stand out level.
 inline constexpr double steep_eaves = 55;  // degrees
+
+/// The point at the distances s and t inwards from two walls; nullopt when they are parallel.
+std::optional<Vec2> at_distances(const WallLine& one, double s, const WallLine& two, double t);
 
 /// Where the ridge between the slopes of two walls runs through the vertical plane of a third.
 std::optional<Vec3> ridge_above(const WallLine& left, const WallLine& right, const WallLine& wall);

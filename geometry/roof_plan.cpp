@@ -71,7 +71,7 @@ bool close_slit(RoofPlan& plan, std::size_t f) {
            : insert_everywhere(plan, tip, after, before);
     }
     std::vector<uint32_t>& closed = plan.faces[f].loop;  // ... x tip x ... becomes ... x ...
-    for (std::size_t k = 1; k + 1 < closed.size() + 1; ++k) {
+    for (std::size_t k = 1; k < closed.size(); ++k) {
       const std::size_t next = (k + 1) % closed.size();
       if (closed[k] != tip || closed[k - 1] != closed[next]) continue;
       closed.erase(closed.begin() + static_cast<std::ptrdiff_t>(k));

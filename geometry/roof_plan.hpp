@@ -2,9 +2,8 @@
 // become heights at the end, so that every piece stays planar and shares its nodes with the others.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "geometry/roof.hpp"

@@ -316,9 +316,7 @@ std::optional<Roof> swept_roof(const Polygon& polygon, const RoofOptions& option
     if (2 * area(cleaned->polygon) < thinnest * perimeter(cleaned->polygon)) return std::nullopt;
     Roof roof;
     SweptRoof(roof, cleaned->polygon, options, direction_of(polygon, options)).build();
-    const bool own = options.kind >= RoofKind::shed && options.kind != RoofKind::mansard &&
-                     options.kind != RoofKind::gambrel && options.kind != RoofKind::cross_gable;
-    roof.fallback = !own ? 5 : cleaned->moved ? 2 : 1;
+    roof.fallback = !is_swept(options.kind) ? 5 : cleaned->moved ? 2 : 1;
     return roof;
   }
   return std::nullopt;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "geometry/clean.hpp"
-#include "geometry/roof.hpp"
 #include "geometry/skeleton.hpp"
 
 namespace mansard {
@@ -89,21 +88,6 @@ std::optional<SkeletonOn> best_skeleton(const Polygon& polygon) {
     if (add_skeleton(on)) return on;
   }
   return std::nullopt;
-}
-
-std::optional<Skeleton> straight_skeleton(const Polygon& polygon) {
-  const std::optional<SkeletonOn> on = best_skeleton(polygon);
-  if (!on) return std::nullopt;
-  Skeleton skeleton;
-  skeleton.fallback = on->fallback;
-  skeleton.faces.resize(polygon.points.size());
-  for (std::size_t f = 0; f < on->mesh.faces(); ++f) {
-    std::vector<Vec3>& loop = skeleton.faces[on->edges[f]];
-    for (const uint32_t i : on->mesh.face(f)) {
-      if (loop.empty() || loop.back() != on->mesh.nodes[i]) loop.push_back(on->mesh.nodes[i]);
-    }
-  }
-  return skeleton;
 }
 
 }  // namespace mansard

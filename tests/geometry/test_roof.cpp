@@ -10,6 +10,7 @@
 
 #include "geometry/clean.hpp"
 #include "geometry/roof.hpp"
+#include "geometry/skeleton.hpp"
 #include "tests/geometry/roof_input.hpp"
 #include "tests/geometry/roof_laws.hpp"
 
@@ -190,16 +191,17 @@ TEST_CASE("a parapet stands flush with the facade and inside it") {
   CHECK(caps == doctest::Approx(8 * 12 - 7.5 * 11.5));
 }
 
-TEST_CASE("every edge has its face in a skeleton, but those that were merged") {
+TEST_CASE("every edge has its face in a skeleton, merged ones share it") {
   Polygon house = rectangle(8, 4);
   house.points.insert(house.points.begin() + 1, {3, 0});
   house.tags.emplace_back();
   house.ring_ends[0] = 5;
-  const auto skeleton = straight_skeleton(house);
-  REQUIRE(skeleton);
-  CHECK(skeleton->faces[0].empty());
-  CHECK(skeleton->faces[1].size() == 4);  // 5 m of 8
-  CHECK(skeleton->faces[2].size() == 3);
+  const auto on = best_skeleton(house);
+  REQUIRE(on);
+  CHECK(on->edge_of[0] == on->edge_of[1]);
+  CHECK(on->edges[on->edge_of[0]] == 1);  // 5 m of 8
+  CHECK(on->mesh.face(on->edge_of[1]).size() == 4);
+  CHECK(on->mesh.face(on->edge_of[2]).size() == 3);
 }
 
 }  // namespace
