@@ -82,6 +82,12 @@ void facade_box(benchmark::State& state) {
   derive(state, style, rectangles(1000, 10, 8));
 }
 
+/// Every tile asks whether something stands before it.
+void facade_asks(benchmark::State& state) {
+  Compiled style("bench/facade_asks.style");
+  derive(state, style, rectangles(1000, 10, 8));
+}
+
 void facade_box_to_obj(benchmark::State& state) {
   Compiled style("bench/facade_box.style");
   const auto footprints = rectangles(1000, 10, 8);
@@ -127,6 +133,7 @@ void gable_roofs(benchmark::State& state) {
 BENCHMARK(thesis_by_61)->Unit(benchmark::kMillisecond);
 BENCHMARK(thesis_by_610)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_box)->Unit(benchmark::kMillisecond);
+BENCHMARK(facade_asks)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_box_to_obj)->Unit(benchmark::kMillisecond);
 BENCHMARK(quarter_houses)->Unit(benchmark::kMillisecond);
 BENCHMARK(hip_roofs)->Unit(benchmark::kMillisecond);

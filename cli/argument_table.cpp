@@ -71,6 +71,7 @@ constexpr std::array arguments{
     ArgumentRow{"texture", "u", "metres across of one repeat, more than 0; 1 if nothing is said"},
     ArgumentRow{"texture", "v", "metres up of one repeat, more than 0; as u if nothing is said"},
     ArgumentRow{"label", "name", "text"},
+    ArgumentRow{"occluder", "hides", "true or false, also \"yes\" or \"no\"; true if nothing is said"},
     ArgumentRow{"set", "variable", "its name, without quotes: Tile.Width"},
     ArgumentRow{"set", "value", "what the variable is worth from here on down"},
     ArgumentRow{"report", "key", "text: under which key"},

@@ -77,6 +77,7 @@ constexpr auto tree_flags =
     joined(variation_flags, one_plot_flags,
            Flag{"--symbol", "NAME", "only what hangs below shapes of this symbol"},
            Flag{"--depth", "N", "only this many levels"}, Flag{"--dot", "", "a graph for Graphviz"},
+           Flag{"--rounds", "", "what shapes asked about others, what came of it and why"},
            derivation_flags, printing_flags);
 constexpr auto render_flags = joined(
     Flag{"-o,--output", "PICTURE.png", "the picture to write"},

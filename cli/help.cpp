@@ -177,7 +177,9 @@ bool page(std::string_view topic) {
   if (topic == "annotations") return annotations_list(), true;
   if (const Command* c = find_command(topic)) return command_page(*c), true;
   if (const Operation* o = find_operation(topic)) return operation_page(*o), true;
-  if (const Function* f = find_function(topic)) return function_page(*f), true;
+  for (const std::string& name : {std::string(topic), "Shape." + std::string(topic)}) {
+    if (const Function* f = find_function(name)) return function_page(*f), true;
+  }
   if (const CodePage* c = find_code(topic)) {
     print(std::string(c->code) + ": " + std::string(c->title) + "\n\n" + std::string(c->page) +
           "\n");

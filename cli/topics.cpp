@@ -17,8 +17,8 @@ building and the variables that shape it.
 
 A rule rewrites a symbol:  NAME(params)[index] : condition -> successor : probability
 Every word has a page: mansard help override, mansard help ::, mansard help overhang.
-See also: mansard help rules, successors, sizes, selectors, variables, inheritance, elements,
-attributes, frames; docs/language.md is the whole of it.)"},
+See also: mansard help rules, successors, sizes, selectors, variables, inheritance, questions,
+elements, attributes, frames; docs/language.md is the whole of it.)"},
     Topic{
         "rules", "Rules and productions",
         R"(All productions of a symbol whose condition holds are candidates; one is drawn by its probability.
@@ -96,6 +96,27 @@ with the next style's rule of the symbol:
   style Cornice { Facade { FACADE -> [ subdiv("Y", 1r, 0.3) { NIL | extrude(0.2) { LEDGE } } ] super } }
 
 mansard explain FILE.style says who gives what, mansard explain FILE.style Tile.WindowWidth why.)"},
+    Topic{"questions", "Shapes that ask about others",
+          R"(  TILE : Shape.occ("all") == "none" -> WINDOW
+  TILE : Shape.occ("all") == "part" -> WALL
+  TILE : Shape.occ("all") == "full" -> NIL
+
+How far a shape is covered by solids: a point of a face is, when 1 mm before the face lies inside one. So the
+mass behind a face never covers it. Pieces thinner than 1 cm do not count (6 cm beside other buildings).
+
+  "all"         all solids, replaced ones too, and other buildings
+  "noparent"    all but those that the shape came from; other buildings
+  "active"      solids that are drawn as they are
+  "neighbours"  other buildings, as footprints drawn up to their height
+  a label       what label(name) names, and the solids derived from it
+
+Shape.occ(set, "distance", d) counts what stands within d metres before the face. inside(set) means "full",
+overlaps(set) not "none", touches(set) that a solid ends in the face's plane. occluder(false) makes solids
+that cover nothing.
+
+A shape whose rules ask waits until nothing else is left; all that wait see the same building and are answered
+together. @stage(2) before a rule makes it wait for a later round; without it rules that ask are of stage 1.
+mansard tree FILE.style FOOTPRINT --rounds says what was asked and answered.)"},
     Topic{"elements", "Meshes and looks of terminals",
           R"(  Elements  { WINDOW : "near.obj" "far.obj" : 0.7   "other.obj" : 0.3
               DOOR + "door3.obj" : 0.1   remove LEDGE }

@@ -5,6 +5,7 @@
 
 #include "cli/remarks.hpp"
 #include "cli/session.hpp"
+#include "interpreter/messages.hpp"
 
 namespace mansard {
 namespace {
@@ -104,6 +105,40 @@ void print_json(const Tree& tree, const std::vector<uint32_t>& roots) {
               all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
+/// What was asked, answered and why, round by round.
+void print_rounds(const Tree& tree, const Building& building) {
+  if (building.rounds.empty()) std::printf("nothing was asked\n");
+  for (std::size_t i = 0; i < building.rounds.size(); ++i) {
+    const Round& round = building.rounds[i];
+    std::printf("round %zu, stage %d: %s waited\n", i + 1, round.stage,
+                count_text(round.shapes, "shape").c_str());
+    for (const Answer& answer : round.answers) {
+      std::printf("  %s (node %u): %s is %s%s%s\n", tree.symbol(answer.node).c_str(), answer.node,
+                  answer.asked.c_str(), answer.answer.c_str(), answer.why.empty() ? "" : ", by ",
+                  answer.why.c_str());
+    }
+  }
+}
+
+nlohmann::ordered_json to_json(const Tree& tree, const Answer& answer) {
+  return {{"node", answer.node},
+          {"symbol", tree.symbol(answer.node)},
+          {"asked", answer.asked},
+          {"answer", answer.answer},
+          {"by", answer.why}};
+}
+
+void print_rounds_json(const Tree& tree, const Building& building) {
+  auto all = nlohmann::ordered_json::array();
+  for (const Round& round : building.rounds) {
+    auto answers = nlohmann::ordered_json::array();
+    for (const Answer& answer : round.answers) answers.push_back(to_json(tree, answer));
+    all.push_back({{"stage", round.stage}, {"shapes", round.shapes}, {"answers", answers}});
+  }
+  std::printf("%s\n",
+              all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+}
+
 /// The topmost shapes of a symbol.
 std::vector<uint32_t> roots_of(const Tree& tree, const std::string& symbol) {
   std::vector<uint32_t> roots;
@@ -142,6 +177,10 @@ int tree(Session& session, const Arguments& arguments) {
   remarks.finish(session.program());
   const Tree tree(session.program(), building.tree,
                   arguments.number("--depth", 1'000'000, 1, 1'000'000));
+  if (arguments.has("--rounds")) {
+    arguments.has("--json") ? print_rounds_json(tree, building) : print_rounds(tree, building);
+    return exit_done;
+  }
   std::vector<uint32_t> roots{0};
   if (const auto symbol = arguments.value("--symbol")) {
     roots = roots_of(tree, *symbol);

@@ -36,7 +36,7 @@ void Compiler::fold_constants() {
   for (ExprId id = 0; id < program_.nodes.size(); ++id) {
     const ExprNode n = program_.nodes[id];
     const bool random = n.kind == ExprKind::call && functions()[n.aux].random;
-    if (n.kind < ExprKind::list || n.kind == ExprKind::definition) continue;
+    if (n.kind < ExprKind::list || n.kind == ExprKind::definition || is_question(n)) continue;
     const bool constant = std::all_of(
         program_.children.begin() + n.children, program_.children.begin() + n.children + n.count,
         [&](ExprId child) { return program_.nodes[child].kind == ExprKind::constant; });

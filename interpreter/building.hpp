@@ -28,6 +28,18 @@ struct CutSplit {
   std::size_t parts = 0;    ///< cut or left out
 };
 
+/// What a shape asked about others: an expression, what came of it and which solids decided.
+struct Answer {
+  uint32_t node = Shape::none;
+  std::string asked, answer, why;
+};
+/// Shapes that were answered together.
+struct Round {
+  int stage = 0;
+  std::size_t shapes = 0;
+  std::vector<Answer> answers;
+};
+
 struct TreeNode {
   Shape shape;
   uint32_t parent = Shape::none;
@@ -62,6 +74,7 @@ struct Building {
                     ///< `materials`
   std::vector<Material> materials;  ///< looks that only this building has
   std::vector<TreeNode> tree;       ///< depth-first, only when DeriveOptions::keep_tree
+  std::vector<Round> rounds;        ///< likewise
   std::vector<uint32_t> terminals;  ///< how many, by symbol
   std::vector<uint32_t> taken;      ///< how often, by production of the program
   std::vector<CutSplit> cuts;
@@ -78,6 +91,7 @@ struct Building {
     surface.clear();
     materials.clear();
     tree.clear();
+    rounds.clear();
     std::fill(terminals.begin(), terminals.end(), 0);
     std::fill(taken.begin(), taken.end(), 0);
     cuts.clear();

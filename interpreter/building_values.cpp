@@ -49,6 +49,7 @@ class DependenceWalk {
         break;
       case ExprKind::call:
         if (functions()[node.aux].random) draw();
+        if (functions()[node.aux].asks) found.shape = true;
         break;
       case ExprKind::variable:
         variable(node.first);

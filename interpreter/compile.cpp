@@ -79,6 +79,7 @@ bool Compiler::run() {
   compile_pending();
   apply_settings();
   compile_pending();  // a setting can name a style that nothing else does
+  intern_texts();
   for (CompiledStyle& style : program_.styles) {
     style.rules.resize(program_.symbols.size(), none);
     style.elements.resize(program_.symbols.size(), none);
@@ -94,6 +95,8 @@ bool Compiler::run() {
   fold_constants();
   check_types();
   check_constants();
+  check_questions();
+  find_waiting();
   if (diagnostics_.has_errors()) return false;
   if (options_.all_styles && library_.main_file()) {
     lint(program_, *library_.main_file(), diagnostics_);

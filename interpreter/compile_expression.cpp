@@ -250,13 +250,9 @@ ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
     if (const Function* function = find_function(name.text))
       return function_call(*function, call, at, scope);
   }
-  if (call.callee.names[0].text == "Shape" || is_later_operation(name.text) ||
-      name.text == "visible" || name.text == "inside" || name.text == "overlaps" ||
-      name.text == "touches") {
-    refuse(at, "'" + std::string(at.text()) +
-                   "' comes with a later version of Mansard: questions about other shapes are not "
-                   "answered yet");
-  }
+  if (call.callee.names.size() == 2 && call.callee.names[0].text == "Shape")
+    return question(call, at, scope);
+  if (is_later_operation(name.text) || is_later_question(name.text)) refuse_later(at);
   const std::string_view own =
       call.callee.names.size() == 2 ? call.callee.names[0].text : scope.block;
   for (const std::string_view block : {own, std::string_view{}}) {
@@ -277,7 +273,9 @@ ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
   for (const Function& f : functions()) known.push_back(f.name);
   for (const FunctionBinding& f : program_.styles[scope.style].linked->functions)
     known.push_back(f.name);
-  refuse(name.at, "unknown function '" + std::string(name.text) + "'", meant(name.text, known));
+  const auto asked = "Shape." + std::string(name.text);
+  refuse(name.at, "unknown function '" + std::string(name.text) + "'",
+         find_function(asked) ? "write " + asked + "(...)" : meant(name.text, known));
 }
 
 ExprId Compiler::function_call(const Function& function, const syntax::Call& call, Span at,

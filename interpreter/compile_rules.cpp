@@ -74,9 +74,7 @@ void Compiler::compile_rules(uint16_t number) {
 
 void Compiler::compile_production(Production& p, uint16_t style) {
   const syntax::Rule& rule = *p.syntax;
-  for (const syntax::Annotation& a : rule.pre.annotations) {
-    if (a.name.text == "stage") refuse(a.at, "@stage comes with a later version of Mansard");
-  }
+  p.stage = stage_of(rule);
   uint16_t salt = 1;
   NameScope scope;
   scope.style = style;

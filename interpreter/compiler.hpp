@@ -82,6 +82,7 @@ class Compiler {
   ExprId call(const syntax::Call& call, Span at, NameScope& scope);
   ExprId function_call(const Function& function, const syntax::Call& call, Span at,
                        NameScope& scope);
+  ExprId question(const syntax::Call& call, Span at, NameScope& scope);
   ExprId attribute_call(const syntax::Call& call, Span at, NameScope& scope);
   ExprId plain_argument(const syntax::Arg& arg, NameScope& scope);
   uint32_t variable_slot(uint16_t style, std::string_view block, std::string_view name) const;
@@ -133,6 +134,16 @@ class Compiler {
   // variable_order.cpp
   void find_shape_readers();
   void refuse_ring(const VariableGraph& graph, uint32_t slot);
+
+  // questions.cpp
+  void intern_texts();
+  void find_waiting();
+  void check_questions();
+  void check_question(ExprId id, std::span<const std::string_view> labels);
+  void check_cover_word(const ExprNode& comparison);
+  std::optional<uint16_t> stage_of(const syntax::Rule& rule);
+  [[noreturn]] void refuse_two_stages(const RuleSet& set, uint16_t stage,
+                                      const Production& production) const;
 
   // check_constants.cpp
   void check_constants();
@@ -190,6 +201,11 @@ class Compiler {
   int rings_ = 0;  ///< of variables, that were complained of
 };
 
+/// A call of a function that asks about other shapes.
+bool is_question(const ExprNode& node);
+/// Questions that a later version brings.
+bool is_later_question(std::string_view name);
+[[noreturn]] void refuse_later(Span at);
 [[noreturn]] void refuse(Span at, std::string text, std::string help = {},
                          std::vector<Note> notes = {});
 /// No style of this name is among those that are loaded.

@@ -216,7 +216,7 @@ Value Machine::call_function(const ExprNode& node, uint32_t id, const Env& env) 
     values[i] = evaluate(program.children[node.children + i], env);
   }
   const uint64_t draw = function.random ? mix(env.draws, node.salt) : 0;
-  const Value result = function.invoke({*this, {values, node.count}, draw, id});
+  const Value result = function.invoke({*this, {values, node.count}, draw, id, env.shape});
   if (result.type == Type::number && !std::isfinite(result.number)) {
     std::string of;
     for (uint32_t i = 0; i < node.count; ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,12 +19,17 @@ struct Property {
   PropertyValue value;
 };
 
+class Surroundings;
+
 struct Footprint {
   std::string id;  ///< stable: --id NAME, else osm_id, feature id, `id`, else position in the file
   /// u east and v north in metres about the set's origin, first edge as in the file; tags hold
   /// party, court and street flags and `wall` = the edge's number.
   Polygon polygon;
   std::vector<Property> properties;
+  /// The buildings around, with this one, and its place among them; null: it stands alone.
+  std::shared_ptr<const Surroundings> around{};
+  uint32_t place = 0;
   const Property* find(std::string_view name) const {
     for (const Property& p : properties) {
       if (p.name == name) return &p;
@@ -37,7 +43,8 @@ struct Footprint {
 /// divided where the cover ends (pieces of at least 0.5 m), so that a wall is party as a whole or
 /// not at all. `wall` numbers are renewed. Court edges belong to holes. Street edges are the outer
 /// edges without a neighbour within `street_clearance` metres in front of their middle (all outer
-/// free edges when that leaves none); the longest of them is main.
+/// free edges when that leaves none); the longest of them is main. Then each footprint knows the
+/// others as its surroundings.
 void mark_neighbours(std::vector<Footprint>& footprints, double tolerance = 0.05,
                      double street_clearance = 6);
 

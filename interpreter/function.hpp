@@ -10,13 +10,15 @@
 namespace mansard {
 
 class Machine;
+struct Shape;
 
 /// What a function may look at besides its arguments.
 struct FunctionCall {
   Machine& machine;
   std::span<const Value> args;
-  uint64_t draw = 0;  ///< random bits of this place
-  uint32_t node = 0;  ///< the call, for messages
+  uint64_t draw = 0;             ///< random bits of this place
+  uint32_t node = 0;             ///< the call, for messages
+  const Shape* shape = nullptr;  ///< null where no shape may be read
 };
 
 struct Function {
@@ -26,6 +28,7 @@ struct Function {
   uint8_t count = 0, required = 0;
   bool variadic = false;
   bool random = false;
+  bool asks = false;  ///< about other shapes: the rule waits for a round
 
   std::string_view parameter_name(std::size_t i) const { return name_of(args, i); }
 };

@@ -5,6 +5,7 @@
 #include "interpreter/function.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/question.hpp"
 #include "interpreter/units.hpp"
 
 namespace mansard {
@@ -78,6 +79,15 @@ consteval Function row(std::string_view name, std::string_view args, std::string
   r.summary = summary;
   r.example = example;
   r.random = random;
+  return r;
+}
+
+/// A question about other shapes.
+template <auto F>
+consteval Function asking(std::string_view name, std::string_view args, std::string_view summary,
+                          std::string_view example) {
+  Function r = row<F>(name, args, summary, example);
+  r.asks = true;
   return r;
 }
 
@@ -219,6 +229,35 @@ double to_number(Call c, std::string_view text) {
   return *number;
 }
 
+// ---- questions about other shapes: a set, and maybe "distance", d
+
+using Word = std::optional<std::string_view>;
+
+Opt distance_of(Call c, Word word, Opt distance) {
+  if (word && *word != "distance") {
+    c.machine.fail(
+        c.machine.program
+            .spans[c.machine.program.children[c.machine.program.nodes[c.node].children + 1]],
+        "a question goes on with \"distance\", not \"" + std::string(*word) + "\"",
+        "write \"distance\", then metres");
+  }
+  if (word && !distance) {
+    c.machine.fail(c.machine.program.spans[c.node], "the distance is missing",
+                   "\"distance\", then metres");
+  }
+  return distance;
+}
+Value occlusion(Call c, std::string_view set, Word word, Opt distance) {
+  return ask_cover(c, set, distance_of(c, word, distance));
+}
+Value is_inside(Call c, std::string_view set, Word word, Opt distance) {
+  return ask_inside(c, set, distance_of(c, word, distance));
+}
+Value has_overlap(Call c, std::string_view set, Word word, Opt distance) {
+  return ask_overlaps(c, set, distance_of(c, word, distance));
+}
+Value has_contact(Call c, std::string_view set) { return ask_touches(c, set); }
+
 constexpr std::array rows{
     row<draw_between>("rand", "low, high",
                       "A random number between low and high; rand() lies between 0 and 1.",
@@ -255,6 +294,19 @@ constexpr std::array rows{
     row<to_string>("str", "value", "The value as a string.", "str(12.5)"),
     row<to_number>("num", "text", "The number that a text reads as, with an optional unit.",
                    "num(\"12.5 m\")"),
+    asking<occlusion>("Shape.occ", "set, word, distance",
+                      "How far the shape is covered by the solids of a set: \"none\", \"part\" or "
+                      "\"full\"; with \"distance\", d by what stands within d metres before it.",
+                      "Shape.occ(\"noparent\", \"distance\", 0.5)"),
+    asking<is_inside>("inside", "set, word, distance",
+                      "Whether the shape is covered as a whole, as Shape.occ says.",
+                      "inside(\"all\")"),
+    asking<has_overlap>("overlaps", "set, word, distance",
+                        "Whether the shape is covered as a whole or in part.",
+                        "overlaps(\"neighbours\")"),
+    asking<has_contact>("touches", "set",
+                        "Whether a solid of the set ends in the plane of the shape, on it.",
+                        "touches(\"noparent\")"),
 };
 
 void refuse(const FunctionCall& c, std::size_t i, std::string_view expected) {

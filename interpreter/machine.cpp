@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interpreter/building_height.hpp"
 #include "interpreter/messages.hpp"
-#include "interpreter/units.hpp"
 
 namespace mansard {
 
@@ -32,6 +32,7 @@ void Machine::derive(const Footprint& input, Building& result) {
       Shape shape = stack_.back();
       stack_.pop_back();
       expand(shape);
+      if (stack_.empty()) answer_rounds();
     }
   } catch (Failure& failure) {
     explain(failure.diagnostic);
@@ -51,6 +52,8 @@ void Machine::reset(const Footprint& input, Building& result) {
   result.terminals.resize(program.symbols.size());
   result.taken.resize(program.productions.size());
   stack_.clear();
+  waiting_.clear();
+  world.clear();
   nodes_.clear();
   polygons_.reset();
   meshes_.reset();
@@ -109,14 +112,7 @@ Shape Machine::footprint_shape() {
   const Box2 box = bounds(pooled.polygon.points);
   for (Vec2& p : pooled.polygon.points) p = p - box.low;
   pooled.natural = box.size();
-  const double ground = [&] {
-    const Property* p = footprint->find("min_height");
-    if (!p) return 0.0;
-    if (const double* v = std::get_if<double>(&p->value)) return *v;
-    const std::string* text = std::get_if<std::string>(&p->value);
-    return text ? read_number(*text).value_or(0) : 0.0;
-  }();
-  base_elevation = std::isfinite(ground) ? ground : 0;
+  base_elevation = base_of(*footprint);
   const Vec2 corner = outline[0] + along * box.low.x + into * box.high.y;
   shape.scope.origin = {corner.x, base_elevation, -corner.y};
   shape.scope.x = {along.x, 0, -along.y};
@@ -136,6 +132,12 @@ uint32_t Machine::rules_of(const Shape& shape) const {
 }
 
 void Machine::expand(Shape& shape) {
+  const uint32_t rule_set = rules_of(shape);
+  if (rule_set != none && program.rule_sets[rule_set].waits) return waiting_.push_back(shape);
+  replace(shape);
+}
+
+void Machine::replace(Shape& shape) {
   const uint32_t rule_set = rules_of(shape);
   expanding = shape.node;
   if (rule_set == none) return finish(shape);
@@ -293,6 +295,7 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
   }
   if (options.keep_tree) building->tree.push_back({child, expanding, false});
   const uint32_t rules = rules_of(child);
+  if (program.asks && (rules == none || !program.rule_sets[rules].waits)) show(child, false);
   if (rules == none) {
     finish(child);
     return stack_.pop_back();
@@ -314,6 +317,7 @@ void Machine::check_arguments(const Step& s, const RuleSet& rules, const Shape& 
 void Machine::finish(Shape& shape) {
   ++building->terminals[shape.symbol];
   if (options.keep_tree) building->tree[shape.node].terminal = true;
+  if (program.asks && is_solid(shape)) mark_active(shape);
   draw(shape, shape.symbol);
 }
 
@@ -321,6 +325,7 @@ void Machine::finish_early(Shape& piece) {
   ++emitted;
   ++building->shapes;
   ++building->terminals[piece.symbol];
+  if (program.asks) show(piece, true);
   draw(piece, piece.symbol);
   piece.form = Form::nothing;
   piece.plain = true;

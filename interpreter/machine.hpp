@@ -15,6 +15,7 @@
 #include "interpreter/random.hpp"
 #include "interpreter/shape.hpp"
 #include "interpreter/sizes.hpp"
+#include "interpreter/world.hpp"
 
 namespace mansard {
 
@@ -92,6 +93,14 @@ class Machine {
   void draw(const Shape& shape, uint32_t symbol);
   void check_reach(const Shape& shape, uint32_t symbol);
 
+  // ---- questions about other shapes (rounds.cpp)
+  /// A solid that hides others enters the world and becomes the one that its parts come from.
+  void show(Shape& shape, bool active);
+  /// The same for a solid that no symbol stands for, unless the world has it.
+  void show_apart(Shape& shape);
+  void note_answer(uint32_t node, const Shape& shape, std::string_view answer,
+                   const std::string& why);
+
   // ---- looks
   const Material& material(uint32_t number) const;
   uint32_t add_material(const Material& material);
@@ -116,6 +125,8 @@ class Machine {
   std::vector<uint32_t> scratch_counts;  ///< likewise
   std::vector<SizeValue> size_values;    ///< of the split being solved
   double base_elevation = 0;
+  World world;  ///< empty unless the program asks
+  LastCover last_cover;
 
   /// Holds a number of levels of evaluation; too many are an error of the style's.
   class Deeper {
@@ -145,6 +156,10 @@ class Machine {
   void reset(const Footprint& footprint, Building& result);
   Shape footprint_shape();
   void expand(Shape& shape);
+  void replace(Shape& shape);
+  void answer_rounds();
+  void answer_round();
+  void mark_active(const Shape& shape);
   uint32_t rules_of(const Shape& shape) const;
   const Production* choose(const RuleSet& rules, const Shape& shape, Env& env);
   void rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env& env);
@@ -187,6 +202,7 @@ class Machine {
                      uint64_t salt) const;
 
   std::vector<Shape> stack_;
+  std::vector<Shape> waiting_, asking_;
   std::vector<Node> nodes_;
   std::vector<Count> counts_;  ///< by symbol: how many the current rule has emitted
   Pool<PooledPolygon> polygons_;

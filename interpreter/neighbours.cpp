@@ -5,6 +5,7 @@
 
 #include "interpreter/edge_grid.hpp"
 #include "interpreter/footprint.hpp"
+#include "interpreter/surroundings.hpp"
 
 namespace mansard {
 namespace {
@@ -167,6 +168,11 @@ void mark_neighbours(std::vector<Footprint>& footprints, double tolerance,
     Polygon& polygon = footprints[i].polygon;
     polygon = divided(polygon, i, grid, tolerance);
     mark_streets(polygon, i, grid, tolerance, street_clearance);
+  }
+  const auto around = std::make_shared<const Surroundings>(footprints);
+  for (uint32_t i = 0; i < footprints.size(); ++i) {
+    footprints[i].around = around;
+    footprints[i].place = i;
   }
 }
 

@@ -165,6 +165,10 @@ constexpr std::array rows{
     row<op::label>("context", "label", "name", without, "",
                    "Names the shape, for the tree and for later questions.",
                    "extrude(4) label(\"tower\") TOWER"),
+    row<op::occluder>("context", "occluder", "hides", without, "",
+                      "Whether the solids of this shape, and of all that is derived from it, cover "
+                      "others that ask: true or false.",
+                      "extrude(4) occluder(false) SCAFFOLD"),
     row<op::set>("context", "set", "variable, value", without, "",
                  "Gives a variable another value for this shape and all that is derived from it.",
                  "set(Test.Height, 5) extrude(Height) MASS"),
@@ -177,9 +181,9 @@ constexpr std::array rows{
                   "Stops the building with a message of the style's own.", ""),
 };
 
-constexpr std::array<std::string_view, 12> later{"snap",   "occluder", "stain",    "material",
-                                                 "uv",     "union",    "subtract", "intersect",
-                                                 "layers", "relayout", "group",    "nearest"};
+constexpr std::array<std::string_view, 11> later{"snap",     "stain",    "material",  "uv",
+                                                 "union",    "subtract", "intersect", "layers",
+                                                 "relayout", "group",    "nearest"};
 
 struct LaterWords {
   std::string_view parameter;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -157,9 +158,12 @@ struct Production {
   ExprId probability = none;
   BodyId body = 0;
   uint8_t index_parameter = 0xff;  ///< parameter that binds the index
+  std::optional<uint16_t> stage;   ///< @stage
   const syntax::Rule* syntax = nullptr;
   Origin from;
 };
+
+inline constexpr uint16_t usual_stage = 1, last_stage = 1000;
 
 struct RuleSet {
   uint32_t first = 0, count = 0;  ///< in Program::productions
@@ -167,6 +171,8 @@ struct RuleSet {
   uint8_t parameters = 0;
   bool tests_index = false;
   bool always = false;  ///< one production without conditions
+  bool waits = false;   ///< it asks about other shapes, or has a stage
+  uint16_t stage = usual_stage;
 };
 
 struct VariableSlot {
@@ -256,6 +262,7 @@ struct Program {
   std::vector<Material> materials;  ///< [0] is the plain one
   std::unordered_map<std::string, std::vector<uint32_t>> variables_by_property;  ///< slots
   std::deque<LinkedStyle> linked;
+  bool asks = false;  ///< some rule asks about other shapes
 
   /// Where a value was written, in a script or on the command line; nowhere when it was computed.
   Span origin(const Value& value) const;

@@ -47,7 +47,9 @@ struct Shape {
   uint8_t cuts = 0;          ///< sides (of a rectangle: left, right, top, bottom) that a split made
   uint8_t open = 0;          ///< sides that are no surface: the face a relief or a tier rose from
   bool mass = false;         ///< has been extruded as a mass (levels of detail)
+  bool plain = false;        ///< is a terminal whatever the rules say (the end of super)
   EdgeTag tag;               ///< of the wall that it is or came from
+  bool hides = true;         ///< occluder(): its solids cover others
   uint32_t geometry = none;  ///< in the pool of polygons or meshes
 
   // ---- look
@@ -64,7 +66,7 @@ struct Shape {
   double index = std::numeric_limits<double>::quiet_NaN();  ///< unset until SYMBOL[expr]
   const Value* arguments = nullptr;  ///< as many as its rules have parameters
   uint32_t settings = none;          ///< newest set(): list in the derivation
-  bool plain = false;                ///< is a terminal whatever the rules say (the end of super)
+  uint32_t solid = none;             ///< of the derivation's world, that it is or came from
 
   // ---- attributes left by splits and comp
   uint32_t split_index = 0, split_count = 1, split_round = 0;
@@ -76,6 +78,6 @@ struct Shape {
   double height() const { return scope.size.y; }
   double depth_size() const { return scope.size.z; }
 };
-static_assert(std::is_trivially_copyable_v<Shape>);
+static_assert(std::is_trivially_copyable_v<Shape> && sizeof(Shape) == 248);
 
 }  // namespace mansard

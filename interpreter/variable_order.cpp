@@ -21,7 +21,7 @@ void collect_reads(const Program& program, ExprId id, std::vector<uint32_t>& rea
 bool reads_shape_itself(const Program& program, ExprId id) {
   const ExprNode& node = program.nodes[id];
   if (node.kind == ExprKind::attribute || node.kind == ExprKind::fits ||
-      node.kind == ExprKind::definition) {
+      node.kind == ExprKind::definition || is_question(node)) {
     return true;
   }
   for (uint32_t i = 0; i < node.count; ++i) {

@@ -1,6 +1,7 @@
 // Where a value comes from: set() on the shape, the footprint's properties, the style.
 #include <cmath>
 
+#include "interpreter/building_height.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/units.hpp"
@@ -88,14 +89,6 @@ Value Machine::property(uint32_t slot, const Value& fallback, uint32_t node) {
 
 namespace {
 
-double number_or(const Footprint& footprint, std::string_view name, double fallback) {
-  const Property* p = footprint.find(name);
-  if (!p) return fallback;
-  if (const double* v = std::get_if<double>(&p->value)) return std::isfinite(*v) ? *v : fallback;
-  const std::string* text = std::get_if<std::string>(&p->value);
-  return text ? read_number(*text).value_or(fallback) : fallback;
-}
-
 std::string_view text_or(const Footprint& footprint, std::string_view name,
                          std::string_view fallback) {
   const Property* p = footprint.find(name);
@@ -105,12 +98,9 @@ std::string_view text_or(const Footprint& footprint, std::string_view name,
 
 }  // namespace
 
-/// BUILDING_HEIGHT is what stands above min_height, so that the top comes out at `height`.
 Value Machine::input(Input which) {
   const double levels = number_or(*footprint, "building:levels", 0);
-  const double top = number_or(*footprint, "height", 0);
-  double height = top > base_elevation ? top - base_elevation : top;
-  if (!(height > 0)) height = levels > 0 ? levels * 3 : 9;
+  const double height = height_of(*footprint);
   switch (which) {
     case Input::height:
       return Value::of(height);

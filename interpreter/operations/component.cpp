@@ -132,8 +132,11 @@ void comp(Context& c, std::optional<Edges> selector) {
     }
   }
   const std::size_t first = c.machine.scratch_shapes.size();
+  const uint32_t solid = c.shape.solid;
+  if (c.machine.program.asks) c.machine.show_apart(c.shape);
   push_faces(c.machine, c.shape);
   distribute(c, first, single);
+  c.shape.solid = solid;
 }
 
 }  // namespace operation

@@ -21,6 +21,14 @@ void label(Context& c, std::string_view name) {
   c.shape.label = known.value_or(Shape::none);
 }
 
+/// yes and no as scripts that were written for others have them.
+void occluder(Context& c, Value hides) {
+  const bool word =
+      hides.type == Type::string && (hides.string() == "yes" || hides.string() == "no");
+  if (hides.type != Type::boolean && !word) c.wrong_type(0, hides, "true or false");
+  c.shape.hides = word ? hides.string() == "yes" : hides.boolean;
+}
+
 /// The value holds for this shape and its descendants.
 void set(Context& c, Setting, Value value) {
   const Value kept =

@@ -55,6 +55,7 @@ void color(Context&, std::string_view color);
 void texture(Context&, std::string_view file, std::optional<double> u, std::optional<double> v);
 // control.cpp
 void label(Context&, std::string_view name);
+void occluder(Context&, Value hides);
 void set(Context&, Setting variable, Value value);
 void report(Context&, std::string_view key, Value value);
 void print(Context&, Values values);

@@ -91,8 +91,8 @@ void give_flat(Context& c) {
   c.named_part(top, piece);
 }
 
-/// All faces as one mesh that goes on as the shape.
-void become_mesh(Context& c, const Roof& roof) {
+/// All faces as one mesh.
+Shape mesh_shape(Context& c, const Roof& roof) {
   Mesh mesh;
   const double depth = c.shape.scope.size.z;
   for (const RoofFace& face : roof.faces) {
@@ -118,7 +118,19 @@ void become_mesh(Context& c, const Roof& roof) {
   solid.ground = false;
   solid.uv_frame = Shape::none;
   solid.geometry = c.machine.add_mesh(std::move(mesh));
+  return solid;
+}
+
+void become_mesh(Context& c, const Roof& roof) {
+  Shape solid = mesh_shape(c, roof);
   c.become(solid);
+}
+
+/// What the faces enclose, for shapes that ask about others.
+void show_roof(Context& c, const Roof& roof) {
+  Shape solid = mesh_shape(c, roof);
+  c.machine.show_apart(solid);
+  c.shape.solid = solid.solid;
 }
 
 // ---- what is told
@@ -239,6 +251,7 @@ void roof(Context& c, std::string_view kind, std::optional<double> pitch,
   if (options.overhang > 0) tell_wide_overhang(c, plan, options.overhang);
   const Roof made = mansard::roof(plan, options);
   tell_fallbacks(c, made);
+  if (c.machine.program.asks && c.has_parts()) show_roof(c, made);
   c.has_parts() ? give_faces(c, made, options.overhang > 0 || options.verge > 0)
                 : become_mesh(c, made);
 }

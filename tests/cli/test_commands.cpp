@@ -247,6 +247,47 @@ TEST_CASE("the tree as JSON and as a graph") {
         "FLOORS  10 x 9 x 0\nFLOORS  8 x 9 x 0\nFLOORS  10 x 9 x 0\nFLOORS  8 x 9 x 0\n");
 }
 
+TEST_CASE("the rounds of questions, as text and as JSON") {
+  const std::string script = root + "/tests/golden/derive/rounds_stages.style";
+  const Run text = run({"tree", script, "rect:10x8", "--rounds"});
+  CHECK(text.status == 0);
+  CHECK(text.out ==
+        "round 1, stage 1: 1 shape waited\n"
+        "  First (node 3): Shape.occ(\"noparent\") is none\n"
+        "round 2, stage 2: 1 shape waited\n"
+        "  Second (node 2): Shape.occ(\"noparent\") is part, by BAY (node 8)\n");
+  const json rounds = json::parse(run({"tree", script, "rect:10x8", "--rounds", "--json"}).out);
+  REQUIRE(rounds.size() == 2);
+  CHECK(rounds[1]["stage"] == 2);
+  CHECK(rounds[1]["answers"][0]["symbol"] == "Second");
+  CHECK(rounds[1]["answers"][0]["answer"] == "part");
+  CHECK(run({"tree", box, "rect:10x8", "--rounds"}).out == "nothing was asked\n");
+}
+
+TEST_CASE("buildings that ask are the same on any number of threads") {
+  const TemporaryFolder folder;
+  const std::string script = written(folder, "ask.style", R"(style Ask {
+    Mass   { FOOTPRINT -> extrude(BUILDING_HEIGHT) comp { side : FACADE | top : DECK } }
+    Facade { FACADE -> [ s(1.5, 2, 0) extrude(rand(0.1, 1)) BAY ] repeat("X", 2) { TILE } }
+    Tile   { TILE : Shape.occ("all") == "none" -> WINDOW  TILE : inside("neighbours") -> NIL  TILE : else -> WALL }
+})");
+  const auto derive = [&](const std::string& name, const std::string& threads) {
+    const Run made = run({"derive", script, root + "/examples/quarter/footprints.geojson",
+                          "--threads", threads, "--quiet", "-o", folder / name});
+    CHECK_MESSAGE(made.status == 0, made.err);
+    return contents(folder / name);
+  };
+  const std::string one = derive("one.obj", "1");
+  CHECK(one.find("g WINDOW") != std::string::npos);
+  CHECK(one.find("g WALL") != std::string::npos);
+  for (const char* const threads : {"2", "7"}) {
+    std::string more = derive("more.obj", threads);
+    for (auto at = more.find("more."); at != std::string::npos; at = more.find("more.", at))
+      more.replace(at, 4, "one");
+    CHECK(more == one);
+  }
+}
+
 TEST_CASE("help knows every command, operation, function and topic") {
   std::vector<std::string> words{"derive",     "check",     "tree",     "render", "help",
                                  "operations", "functions", "warnings", "W001"};

@@ -130,6 +130,13 @@ CONSTRUCTS = {
     "property": r'\battr\("',
     **{f"{f}()": rf"\b{f}\(" for f in ("rand", "normal", "choose", "str", "num", "set", "report")},
     "choose with weights": r"choose\(\[.*?\], \[",
+    # questions
+    **{f"question {w}": rf'\b{w}\("' for w in (r"Shape\.occ", "inside", "overlaps", "touches")},
+    **{f"set {w}": rf'\("{w}"' for w in ("all", "noparent", "neighbours")},
+    "set of a label": r'(?s)label\("bay"\).*Shape\.occ\("bay"\)',
+    "distance": r'"distance", \d',
+    "@stage": r"@stage\(2\)",
+    "occluder": r"\boccluder\(",
     # elements and materials
     "elements": r"\bElements \{",
     "levels of detail": r'"\w+LOD1\.\w+" "\w+LOD2\.\w+"',

@@ -1,0 +1,208 @@
+// Which rules ask about other shapes, and so wait: known before anything is derived.
+#include "interpreter/question.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/compiler.hpp"
+#include "interpreter/lint/walk.hpp"
+
+namespace mansard {
+
+bool is_question(const ExprNode& node) {
+  return node.kind == ExprKind::call && functions()[node.aux].asks;
+}
+
+namespace {
+
+/// Whether expressions ask, through the variables and functions that they read.
+class Askers {
+ public:
+  explicit Askers(const Program& program)
+      : program_(program), functions_(program.functions.size(), false) {
+    // Functions may call each other in rings: what one gains by another takes one more pass.
+    for (bool changed = true; changed;) {
+      changed = false;
+      variables_.assign(program.variables.size(), unknown);
+      for (std::size_t i = 0; i < functions_.size(); ++i) {
+        if (functions_[i] || !asks(program.functions[i].value)) continue;
+        functions_[i] = changed = true;
+      }
+    }
+  }
+
+  bool asks(ExprId id) {
+    if (id == none) return false;
+    const ExprNode& node = program_.nodes[id];
+    if (is_question(node)) return true;
+    if (node.kind == ExprKind::definition && functions_[node.first]) return true;
+    if (node.kind == ExprKind::variable && variable(node.first)) return true;
+    for (uint32_t i = 0; i < node.count; ++i) {
+      if (asks(program_.children[node.children + i])) return true;
+    }
+    return false;
+  }
+
+ private:
+  enum Known : uint8_t { unknown, no, yes };
+
+  bool variable(uint32_t slot) {
+    if (variables_[slot] == unknown)
+      variables_[slot] = asks(program_.variables[slot].value) ? yes : no;
+    return variables_[slot] == yes;
+  }
+
+  const Program& program_;
+  std::vector<bool> functions_;
+  std::vector<Known> variables_;
+};
+
+/// Looks through a production.
+struct Look {
+  Askers& askers;
+  bool found = false;
+
+  void step(const Step&) {}
+  void expression(ExprId id) { found = found || askers.asks(id); }
+};
+
+}  // namespace
+
+/// A rule set waits when one of its productions asks, or one that `super` leads to: a shape waits
+/// before it is known which is drawn.
+void Compiler::find_waiting() {
+  program_.asks = std::ranges::any_of(program_.nodes, is_question);
+  Askers askers(program_);
+  // A rule set's super was declared before it.
+  for (RuleSet& set : program_.rule_sets) {
+    std::optional<uint16_t> stage;
+    bool says_super = false;
+    Look look{askers};
+    for (uint32_t i = set.first; i < set.first + set.count; ++i) {
+      const Production& production = program_.productions[i];
+      if (program_.asks && walk_production(program_, production, look)) says_super = true;
+      if (!production.stage) continue;
+      if (stage && *stage != *production.stage)
+        attempt_anywhere([&] { refuse_two_stages(set, *stage, production); });
+      stage = production.stage;
+    }
+    const RuleSet* const inherited =
+        says_super && set.super != none ? &program_.rule_sets[set.super] : nullptr;
+    set.waits = look.found || stage.has_value() || (inherited && inherited->waits);
+    set.stage = stage.value_or(inherited && inherited->waits ? inherited->stage : usual_stage);
+  }
+}
+
+void Compiler::refuse_two_stages(const RuleSet& set, uint16_t stage,
+                                 const Production& production) const {
+  const auto* first = &program_.productions[set.first];
+  while (first->stage != stage) ++first;
+  const std::string name(production.syntax->name.text);
+  refuse(production.syntax->head,
+         "'" + name + "' is of stage " + std::to_string(*production.stage) + " here and of stage " +
+             std::to_string(stage) + " before",
+         "a shape waits before one of its rules is drawn: all rules of '" + name +
+             "' are of one stage",
+         {{"stage " + std::to_string(stage) + " is said here", first->syntax->head}});
+}
+
+std::optional<uint16_t> Compiler::stage_of(const syntax::Rule& rule) {
+  for (const syntax::Annotation& a : rule.pre.annotations) {
+    if (a.name.text != "stage" || a.args.empty()) continue;
+    const auto* number =
+        a.args[0].value.value ? std::get_if<syntax::Number>(&a.args[0].value.value->is) : nullptr;
+    const bool whole = number && number->value >= 0 && number->value <= last_stage &&
+                       number->value == std::floor(number->value);
+    if (!whole) {
+      refuse(a.at, "a stage is a whole number from 0 to " + std::to_string(last_stage),
+             "rules that ask and say no stage are of stage " + std::to_string(usual_stage));
+    }
+    return static_cast<uint16_t>(number->value);
+  }
+  return std::nullopt;
+}
+
+bool is_later_question(std::string_view name) { return name == "visible" || name == "nearest"; }
+
+void refuse_later(Span at) {
+  refuse(at, "'" + std::string(at.text()) + "' comes with a later version of Mansard");
+}
+
+/// `Shape.occ(...)`; also `Shape.inside(...)`.
+ExprId Compiler::question(const syntax::Call& call, Span at, NameScope& scope) {
+  const syntax::Name& name = call.callee.names[1];
+  if (is_later_question(name.text)) refuse_later(at);
+  std::vector<std::string_view> known;
+  for (const Function& function : functions()) {
+    if (!function.asks) continue;
+    std::string_view word = function.name;
+    if (word.starts_with("Shape.")) word.remove_prefix(6);
+    if (word == name.text) return function_call(function, call, at, scope);
+    known.push_back(word);
+  }
+  refuse(name.at, "a shape can not be asked for '" + std::string(name.text) + "'",
+         meant(name.text, known));
+}
+
+/// Labels may come from any text of the script.
+void Compiler::intern_texts() {
+  if (std::ranges::none_of(program_.nodes, is_question)) return;
+  for (const Value& value : program_.constants) {
+    if (value.type == Type::string) program_.symbols.intern(value.string());
+  }
+}
+
+/// Sets and answers that there are not: a comparison with a misspelt word would never hold.
+void Compiler::check_questions() {
+  std::vector<std::string_view> labels(occluder_sets.begin(), occluder_sets.end());
+  bool computed = false;
+  for (const Call& call : program_.calls) {
+    if (call.operation->name != "label") continue;
+    const ExprNode& name = program_.nodes[call.args[0].value];
+    if (name.kind != ExprKind::constant) {
+      computed = true;
+    } else if (program_.constants[name.first].type == Type::string) {
+      labels.push_back(program_.constants[name.first].string());
+    }
+  }
+  for (ExprId id = 0; id < program_.nodes.size(); ++id) {
+    const ExprNode& node = program_.nodes[id];
+    if (node.kind == ExprKind::equal || node.kind == ExprKind::unequal)
+      attempt_anywhere([&] { check_cover_word(node); });
+    if (is_question(node) && !computed) attempt_anywhere([&] { check_question(id, labels); });
+  }
+}
+
+void Compiler::check_question(ExprId id, std::span<const std::string_view> labels) {
+  const ExprId set = program_.children[program_.nodes[id].children];
+  const ExprNode& node = program_.nodes[set];
+  if (node.kind != ExprKind::constant) return;
+  const Value& value = program_.constants[node.first];
+  if (value.type != Type::string || std::ranges::find(labels, value.string()) != labels.end())
+    return;
+  const std::string help = meant(value.string(), labels);
+  refuse(program_.spans[set],
+         "\"" + std::string(value.string()) + "\" is no set of shapes, and no label() gives it",
+         help.empty() ? "\"all\", \"noparent\", \"active\", \"neighbours\", or what label() names"
+                      : help);
+}
+
+void Compiler::check_cover_word(const ExprNode& comparison) {
+  constexpr std::array<std::string_view, 3> answers{"none", "part", "full"};
+  for (const uint32_t side : {0u, 1u}) {
+    const ExprNode& asked = program_.nodes[program_.children[comparison.children + side]];
+    const ExprId other = program_.children[comparison.children + 1 - side];
+    const ExprNode& word = program_.nodes[other];
+    if (asked.kind != ExprKind::call || functions()[asked.aux].name != "Shape.occ") continue;
+    if (word.kind != ExprKind::constant) continue;
+    const Value& value = program_.constants[word.first];
+    if (value.type == Type::string && std::ranges::find(answers, value.string()) != answers.end())
+      continue;
+    const std::string help = value.type == Type::string ? meant(value.string(), answers) : "";
+    refuse(program_.spans[other],
+           "Shape.occ never answers " + std::string(program_.spans[other].text()),
+           help.empty() ? "it answers \"none\", \"part\" or \"full\"" : help);
+  }
+}
+
+}  // namespace mansard

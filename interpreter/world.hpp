@@ -1,0 +1,75 @@
+// What shapes that ask see of a building: the solids that were derived before the round.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/box_index.hpp"
+#include "geometry/occlusion.hpp"
+#include "interpreter/shape.hpp"
+
+namespace mansard {
+
+class Machine;
+
+/// A solid that hides what lies in it. `shape.solid` is the solid that it came from.
+struct Occluder {
+  Shape shape;
+  Box3 box;
+  bool active = false;  ///< drawn as it is: nothing took its place
+};
+
+/// The latest answer: guards of one symbol often ask the same.
+struct LastCover {
+  Shape shape;
+  std::string set;
+  double distance = 0;
+  Cover cover = Cover::nothing;
+  std::string why;
+  bool known = false;
+
+  bool holds(const Shape& asked, std::string_view of, double within) const {
+    const Scope &a = shape.scope, &b = asked.scope;
+    return known && shape.node == asked.node && shape.form == asked.form &&
+           shape.geometry == asked.geometry && shape.solid == asked.solid && a.origin == b.origin &&
+           a.size == b.size && a.x == b.x && a.y == b.y && set == of && distance == within;
+  }
+};
+
+class World {
+ public:
+  /// Keeps its memory from building to building.
+  void clear();
+  uint32_t add(const Shape& shape, bool active);
+  Occluder& operator[](uint32_t i) { return all_[i]; }
+  const Occluder& operator[](uint32_t i) const { return all_[i]; }
+  uint32_t size() const { return static_cast<uint32_t>(all_.size()); }
+
+  /// What is there now is what near() finds until the next freeze.
+  void freeze();
+  void near(const Box3& box, std::vector<uint32_t>& found) const { index_.near(box, found); }
+
+  /// The solid's cross-section just before the face's plane (geometry/occlusion.hpp), and what it
+  /// fills before it.
+  std::vector<Polygon> section_of(const Machine& machine, uint32_t solid, const Scope& frame,
+                                  double above);
+  std::vector<Polygon> shadow_of(const Machine& machine, uint32_t solid, const Scope& frame,
+                                 double low, double high, double beside);
+  /// Whether `solid` is `of` or one of the solids it came from.
+  bool is_above(uint32_t solid, uint32_t of) const;
+
+ private:
+  const Mesh& mesh_of(const Machine& machine, uint32_t solid);
+
+  std::vector<Occluder> all_;
+  std::vector<Box3> boxes_;
+  BoxIndex index_;
+  std::unordered_map<uint32_t, Mesh> meshes_;  ///< in the world, of those that were needed
+};
+
+bool is_solid(const Shape& shape);
+/// The box around a shape's scope.
+Box3 bounds_of(const Scope& scope);
+
+}  // namespace mansard
