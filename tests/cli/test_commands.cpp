@@ -253,9 +253,9 @@ TEST_CASE("the rounds of questions, as text and as JSON") {
   CHECK(text.status == 0);
   CHECK(text.out ==
         "round 1, stage 1: 1 shape waited\n"
-        "  First (node 3): Shape.occ(\"noparent\") is none\n"
+        "  First (node 7): Shape.occ(\"noparent\") is none\n"
         "round 2, stage 2: 1 shape waited\n"
-        "  Second (node 2): Shape.occ(\"noparent\") is part, by BAY (node 8)\n");
+        "  Second (node 6): Shape.occ(\"noparent\") is part, by BAY (node 9)\n");
   const json rounds = json::parse(run({"tree", script, "rect:10x8", "--rounds", "--json"}).out);
   REQUIRE(rounds.size() == 2);
   CHECK(rounds[1]["stage"] == 2);

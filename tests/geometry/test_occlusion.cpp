@@ -158,7 +158,7 @@ TEST_CASE("what only touches a face's plane does not cover it") {
     return answer;
   };
   CHECK(cover(box({0, 0, -5}, {4, 3, 5})) == Cover::nothing);   // its own mass
-  CHECK(cover(box({0, 0, 0}, {4, 3, 5})) == Cover::full);    // built against it
+  CHECK(cover(box({0, 0, 0}, {4, 3, 5})) == Cover::full);       // built against it
   CHECK(cover(box({4, 0, -5}, {4, 3, 10})) == Cover::nothing);  // a wing beside it
   CHECK(cover(box({3, 0, -5}, {4, 3, 10})) == Cover::part);
   CHECK(cover(box({3.995, 0, -5}, {4, 3, 10})) == Cover::nothing);  // by less than a centimetre
