@@ -1,0 +1,103 @@
+// A symbol in a successor becomes a child shape; one without rules a terminal.
+#include "interpreter/machine.hpp"
+#include "interpreter/messages.hpp"
+
+namespace mansard {
+
+void Machine::emit_value(const Step& s, const Shape& shape, const Env& env) {
+  const Value value = evaluate(s.what, env);
+  if (value.type != Type::symbol) {
+    fail(s.at, "'" + std::string(s.at.text()) + "' stands as a symbol but is " +
+                   std::string(described(value.type)));
+  }
+  emit(s, value.symbol, value.size > 0 ? value.size - 1 : shape.style, shape, env);
+}
+
+uint16_t Machine::style_named(const Value& name, Span at) const {
+  if (name.type == Type::string) {
+    if (const auto it = program.style_numbers.find(name.string());
+        it != program.style_numbers.end()) {
+      return it->second;
+    }
+  }
+  std::vector<std::string_view> known;
+  for (const CompiledStyle& style : program.styles) known.push_back(style.name);
+  const std::string_view word = name.type == Type::string ? name.string() : std::string_view{};
+  const auto meant = nearest(word, known);
+  const_cast<Machine*>(this)->fail(
+      at, "no style '" + std::string(word) + "' is loaded",
+      meant ? "did you mean '" + std::string(*meant) + "'?"
+            : "write at the top: import \"FILE.style\", the file that has it");
+}
+
+void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& shape,
+                   const Env& env) {
+  ++emitted;
+  if (symbol == nil_symbol) return;
+  Shape& child = stack_.emplace_back(shape);  // where it stays unless it is a terminal
+  child.symbol = symbol;
+  child.style = static_cast<uint16_t>(style);
+  if (s.style_of != none) {
+    child.style = style_named(evaluate(s.style_of, env), program.spans[s.style_of]);
+  }
+  child.plain = s.kind == StepKind::super || shape.plain;
+  child.depth = static_cast<uint16_t>(shape.depth + 1);
+  if (s.index != none) child.index = number(s.index, env);
+  if (!child.plain) {
+    child.arguments = nullptr;
+    if (s.argument_count > 0) {
+      Value* const values = values_.take(s.argument_count);
+      for (uint32_t i = 0; i < s.argument_count; ++i) {
+        values[i] = evaluate(program.arguments[s.arguments + i], env);
+      }
+      child.arguments = values;
+    }
+  }
+  Count& count = counts_[symbol];
+  if (count.node != expanding) count = {expanding, 0};
+  child.seed = mix(mix(nodes_[expanding].seed, program.symbol_hashes[symbol]), count.count++);
+  child.node = static_cast<uint32_t>(nodes_.size());
+  nodes_.push_back({expanding, symbol, child.seed});
+  if (++building->shapes > options.max_shapes) {
+    fail(s.at, "more than " + std::to_string(options.max_shapes) + " shapes in one building",
+         "does a rule call itself without end? --max-shapes allows more");
+  }
+  if (options.keep_tree) building->tree.push_back({child, expanding, false});
+  const uint32_t rules = rules_of(child);
+  if (program.asks && (rules == none || !program.rule_sets[rules].waits)) show(child, false);
+  if (rules == none) {
+    finish(child);
+    return stack_.pop_back();
+  }
+  if (child.depth > options.max_depth) {
+    fail(s.at, "more than " + std::to_string(options.max_depth) + " shapes deep",
+         "does a rule call itself without end? give it a condition that ends it, or --max-depth");
+  }
+  check_arguments(s, program.rule_sets[rules], child);
+}
+
+void Machine::check_arguments(const Step& s, const RuleSet& rules, const Shape& child) {
+  if (s.kind == StepKind::super || rules.parameters == s.argument_count) return;
+  fail(s.at, "'" + std::string(program.symbols[child.symbol]) + "' takes " +
+                 count_text(rules.parameters, "argument") + ", not " +
+                 std::to_string(s.argument_count));
+}
+
+void Machine::finish(Shape& shape) {
+  ++building->terminals[shape.symbol];
+  if (options.keep_tree) building->tree[shape.node].terminal = true;
+  if (program.asks && is_solid(shape)) mark_active(shape);
+  draw(shape, shape.symbol);
+}
+
+void Machine::finish_early(Shape& piece) {
+  ++emitted;
+  ++building->shapes;
+  ++building->terminals[piece.symbol];
+  if (program.asks) show(piece, true);
+  draw(piece, piece.symbol);
+  piece.form = Form::nothing;
+  piece.plain = true;
+}
+
+}  // namespace mansard
