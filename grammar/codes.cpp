@@ -97,8 +97,8 @@ variables and parameters. Often a name is misspelt, or the rule that emitted it 
 Emit it, or take it away. Nothing is said of styles that are only mixed in elsewhere.)"},
     CodePage{
         "W010", "No production was a candidate: the shape stays a terminal.",
-        R"(Every rule of the symbol has a condition and none of them held for this shape. It is said once a
-symbol and counted in the report; with --strict it is an error that names the shape.
+        R"(Every rule of the symbol has a condition and none of them held for this shape, or tests an index that it
+has not. It is said once a symbol and counted in the report; with --strict it is an error that names the shape.
 
     FLOOR : W > 5 -> repeat("X", 2.1) { TILE }
 
@@ -230,6 +230,17 @@ or a small annexe got the roof of a house.
     ROOF -> roof("hip", 30, overhang = 40) { slope : TILES | soffit : WOOD | fascia : WOOD }
 
 Make it depend on the shape: overhang = min(0.4, inradius / 2).)"},
+    CodePage{
+        "W026", "A symbol is emitted with an index that none of its productions takes.",
+        R"(Every production of the symbol tests an index in its head, and none of them this one, so that the shape
+stays as it is. In a child this is often what an override left out: it replaces all inherited productions of the
+symbol, whatever their index.
+
+    FACADE   -> subdiv("Y", 3, 1r) { FLOOR[0] | FLOOR[2] }
+    FLOOR[0] -> SHOP
+    FLOOR[1] -> repeat("X", 2) { WINDOW }
+
+Give it the number that was meant, or add a production that takes any other: FLOOR -> WALL)"},
 };
 
 }  // namespace

@@ -31,7 +31,19 @@ void Compiler::check_constants() {
   for (const CompiledStyle& style : program_.styles) check_symbols_of_draws(style);
   for (const Step& step : program_.steps) {
     if (step.style_of != none) attempt_anywhere([&] { check_style_named(step.style_of); });
+    if (step.index != none) attempt_anywhere([&] { check_index(step.index); });
   }
+}
+
+/// `FLOOR["ground"]`.
+void Compiler::check_index(ExprId id) const {
+  const auto type = static_type(id);
+  if (!type || *type == Type::number) return;
+  Diagnostic d;
+  d.at = program_.spans[id];
+  d.text = "an index is a number, not " + std::string(described(*type));
+  add_writer(d, id);
+  throw Failure(std::move(d));
 }
 
 std::string Compiler::style_meant(std::string_view name, Span at) const {

@@ -1,6 +1,7 @@
 // Which production rewrites a shape.
 #include <array>
 
+#include "interpreter/indices.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
 
@@ -71,12 +72,20 @@ Diagnostic Machine::why_no_candidate(const RuleSet& rules, const Shape& shape) c
     d.help = "a probability of 0 is never drawn: give one of them more";
     return d;
   }
+  if (!takes_index(program, rules, shape.index)) {
+    const Span head = d.at;
+    d = untaken_index(program, rules, shape.index);
+    d.code = "W010";
+    d.at = head;
+    return d;
+  }
   d.code = "W010";
   d.text = "no production of " + name + " fits a shape of " + size_text(shape.scope.size);
   d.help = "add a production with ': else'";
   for (uint32_t i = 0; i < rules.count; ++i) {
     const Production& p = program.productions[rules.first + i];
-    if (p.syntax->guard)
+    const bool open = tested_index(program, p).value_or(shape.index) == shape.index;
+    if (p.syntax->guard && (open || p.index_test == none))
       d.notes.push_back({"this condition was tried and is false", p.syntax->guard->at});
   }
   return d;

@@ -155,6 +155,7 @@ class Compiler {
   void check_components(const Call& call, const std::vector<CallPart>& parts);
   void check_symbols_of_draws(const CompiledStyle& style);
   void check_style_named(ExprId id);
+  void check_index(ExprId id) const;
   void warn_of_style(const Value& name);
   void warn_of_styles(ExprId id, int levels);
   std::string style_meant(std::string_view name, Span at) const;

@@ -12,6 +12,7 @@ void lint(const Program& program, const syntax::File& file, Diagnostics& diagnos
   warn_of_terminals(linting);
   warn_of_unread(linting);
   warn_of_chances(linting);
+  warn_of_indices(linting);
   warn_of_shadows(linting);
   warn_of_defaults(linting);
 }

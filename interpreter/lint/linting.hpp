@@ -48,6 +48,7 @@ void warn_of_unreached(Linting& linting);
 void warn_of_terminals(Linting& linting);
 void warn_of_unread(Linting& linting);
 void warn_of_chances(Linting& linting);
+void warn_of_indices(Linting& linting);
 void warn_of_shadows(Linting& linting);
 void warn_of_defaults(Linting& linting);
 
