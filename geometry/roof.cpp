@@ -77,7 +77,7 @@ Roof local_roof(const Polygon& polygon, const RoofOptions& options) {
 }  // namespace
 
 void add_face(Roof& roof, RoofPart part, EdgeTag tag, std::span<const Vec3> loop) {
-  RoofFace face{part, tag, {}, {}};
+  RoofFace face{part, tag, {}, {}, {}};
   face.loop.reserve(loop.size());
   for (const Vec3 p : loop) {
     if (face.loop.empty() || face.loop.back() != p) face.loop.push_back(p);

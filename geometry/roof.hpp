@@ -65,6 +65,9 @@ struct RoofFace {
   EdgeTag tag;  ///< of the wall below it
   std::vector<Vec3> loop;
   std::vector<std::vector<Vec3>> holes;  ///< of flat tops and soffits only
+  /// Of a flat roof's top what is known of the walls below its edges, those of the loop and then of
+  /// the holes; empty where `tag` is all.
+  std::vector<EdgeTag> edges;
 };
 
 struct Roof {

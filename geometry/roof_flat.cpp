@@ -10,19 +10,25 @@ namespace {
 constexpr Vec3 at(Vec2 p, double up) { return {p.x, p.y, up}; }
 
 void add_top(Roof& roof, const Polygon& polygon, double up) {
-  RoofFace top{RoofPart::top, polygon.tags[0], {}, {}};
+  RoofFace top{RoofPart::top, polygon.tags[0], {}, {}, {}};
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     std::vector<Vec3> ring;
-    for (const Vec2 p : polygon.ring(r)) {
+    std::vector<EdgeTag> tags;
+    for (uint32_t i = polygon.ring_begin(r); i < polygon.ring_ends[r]; ++i) {
+      const Vec3 p = at(polygon.points[i], up);
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
-      if (ring.empty() || ring.back() != at(p, up)) ring.push_back(at(p, up));
+      if (ring.empty() || ring.back() != p) {
+        ring.push_back(p);
+        tags.push_back(polygon.tags[i]);
+      } else {
+        tags.back() = polygon.tags[i];  // the edge before it has no length
+      }
     }
     const bool flat = ring.size() < 3 || !(std::abs(area(polygon.ring(r))) > 1e-9);
     if (r == 0 && flat) return;
-    if (r == 0)
-      top.loop = std::move(ring);
-    else if (!flat)
-      top.holes.push_back(std::move(ring));
+    if (r > 0 && flat) continue;
+    (r == 0 ? top.loop : top.holes.emplace_back()) = std::move(ring);
+    top.edges.insert(top.edges.end(), tags.begin(), tags.end());
   }
   roof.faces.push_back(std::move(top));
 }

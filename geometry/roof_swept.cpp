@@ -183,7 +183,7 @@ class SweptRoof {
   }
 
   void add_piece(const Polygon& piece, std::size_t strip) {
-    RoofFace face{RoofPart::slope, lowest_tag(piece, strip), {}, {}};
+    RoofFace face{RoofPart::slope, lowest_tag(piece, strip), {}, {}, {}};
     for (std::size_t r = 0; r < piece.rings(); ++r) {
       std::vector<Vec3>& ring = r == 0 ? face.loop : face.holes.emplace_back();
       for (const Vec2 q : piece.ring(r)) ring.push_back(place(q, strip, thickness_));

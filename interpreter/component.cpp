@@ -104,7 +104,8 @@ Shape standing_ground(const Shape& face) {
 }
 
 Shape face_of(Machine& machine, const Shape& parent, std::span<const Vec3> loop,
-              std::span<const std::vector<Vec3>> holes, EdgeTag tag) {
+              std::span<const std::vector<Vec3>> holes, EdgeTag tag,
+              std::span<const EdgeTag> edges) {
   Shape face = parent;
   const Vec3 normal = normalized(newell(loop));
   // A face that lies flat keeps the parent's x; any other has y up the face.
@@ -126,7 +127,8 @@ Shape face_of(Machine& machine, const Shape& parent, std::span<const Vec3> loop,
   const auto add_ring = [&](std::span<const Vec3> ring) {
     for (const Vec3& p : ring) {
       const Vec3 local = face.scope.to_local(p);
-      polygon.add_point({local.x, local.y}, tag);
+      const std::size_t i = polygon.points.size();
+      polygon.add_point({local.x, local.y}, i < edges.size() ? edges[i] : tag);
     }
     polygon.close_ring();
   };

@@ -27,8 +27,10 @@ Shape lying_face(const Shape& flat);
 Shape standing_ground(const Shape& face);
 
 /// A planar loop in world coordinates (counter-clockwise from outside), with holes, as a shape.
+/// `edges` are the tags of its edges, ring by ring; empty: they are as the face's.
 Shape face_of(Machine& machine, const Shape& parent, std::span<const Vec3> loop,
-              std::span<const std::vector<Vec3>> holes, EdgeTag tag);
+              std::span<const std::vector<Vec3>> holes, EdgeTag tag,
+              std::span<const EdgeTag> edges = {});
 
 /// Pushes every face that is a surface onto machine.scratch_shapes.
 void push_faces(Machine& machine, const Shape& shape);

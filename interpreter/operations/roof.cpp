@@ -38,6 +38,21 @@ std::vector<Vec3> placed(const Shape& base, std::span<const Vec3> loop) {
   return world;
 }
 
+/// The tags of a face's edges, in the order that placed() gives its points.
+std::vector<EdgeTag> edges_of(const Shape& base, const RoofFace& face) {
+  std::vector<EdgeTag> edges = face.edges;
+  if (edges.empty() || !mirrored(base.scope)) return edges;
+  auto begin = edges.begin();
+  const auto turn = [&](std::size_t n) {  // an edge bears the number of its first point
+    std::reverse(begin, begin + static_cast<std::ptrdiff_t>(n));
+    std::rotate(begin, begin + 1, begin + static_cast<std::ptrdiff_t>(n));
+    begin += static_cast<std::ptrdiff_t>(n);
+  };
+  turn(face.loop.size());
+  for (const auto& hole : face.holes) turn(hole.size());
+  return edges;
+}
+
 void warn_unnamed(Context& c, RoofPart part) {
   const auto word = std::string(roof_parts[static_cast<std::size_t>(part)]);
   c.machine.warn("W011", c.call.parts_at,
@@ -75,7 +90,7 @@ void give_faces(Context& c, const Roof& roof, bool overhangs) {
       warn_unnamed(c, face.part);
       continue;
     }
-    Shape piece = face_of(c.machine, c.shape, loop, holes, face.tag);
+    Shape piece = face_of(c.machine, c.shape, loop, holes, face.tag, edges_of(c.shape, face));
     c.named_part(part, piece);
   }
   give_lines(c, borders, first_line);
