@@ -1,0 +1,240 @@
+// Every style of the library on real footprints (../shared/data beside the project, not part of it)
+// and on drawn ones, 2 to 30 m high: none fails, none leaves a symbol without a rule, and what is
+// seen of them from outside is whole.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/laws/derive.hpp"
+#include "tests/library/fights.hpp"
+#include "tests/library/sights.hpp"
+
+namespace {
+
+using namespace mansard;
+using namespace mansard::test;
+
+struct Sheet {
+  std::string file, style;
+};
+
+const std::vector<Sheet> sheets{{"building", "Building"},
+                                {"georgian", "Georgian"},
+                                {"victorian", "Victorian"},
+                                {"haussmann", "Haussmann"}};
+
+Script script_of(const Sheet& sheet) {
+  CompileOptions options;
+  options.style = sheet.style;
+  return Script::file("styles/library/" + sheet.file + ".style", options);
+}
+
+void set_height(Footprint& footprint, double height) {
+  std::erase_if(footprint.properties,
+                [](const Property& p) { return p.name == "height" || p.name == "min_height"; });
+  footprint.properties.push_back({"height", height});
+}
+
+/// Heights from 2 to 30 m, more of the low ones, in no order.
+double height_of(std::size_t i) {
+  const double t = std::fmod(static_cast<double>(i) * 0.618033988749895, 1);
+  return 2 + 28 * t * t;
+}
+
+/// `count` footprints from 4 to 80 m, spread over a town.
+std::vector<Footprint> from_town(const std::string& name, std::size_t count) {
+  const std::string path = std::string(MANSARD_ROOT) + "/../shared/data/" + name + ".osm.pbf";
+  if (!std::filesystem::exists(path)) {
+    MESSAGE(path, " is missing: not tested");
+    return {};
+  }
+  FootprintSet set = read_footprints(path, {});
+  mark_neighbours(set.footprints);
+  std::vector<Footprint> fitting, chosen;
+  for (Footprint& footprint : set.footprints) {
+    const Vec2 size = bounds(footprint.polygon.points).size();
+    const double least = std::min(size.x, size.y), most = std::max(size.x, size.y);
+    if (least >= 4 && most <= 80) fitting.push_back(std::move(footprint));
+  }
+  for (std::size_t i = 0; i < count && i < fitting.size(); ++i) {
+    chosen.push_back(fitting[i * fitting.size() / count]);
+    set_height(chosen.back(), height_of(i));
+  }
+  return chosen;
+}
+
+/// Where a wall beside a neighbour goes on nearly straight as a free one, ledges taper, and their
+/// ends come within a hair of the wall: known, and hardly seen.
+bool goes_on_beside_neighbour(const Polygon& polygon) {
+  const std::vector<uint32_t> next = next_points(polygon);
+  for (uint32_t i = 0; i < next.size(); ++i) {
+    const uint32_t j = next[i];
+    if (polygon.tags[i].has(EdgeTag::party) == polygon.tags[j].has(EdgeTag::party)) continue;
+    const Vec2 in = normalized(polygon.points[j] - polygon.points[i]);
+    const Vec2 out = normalized(polygon.points[next[j]] - polygon.points[j]);
+    if (dot(in, out) > 0.998) return true;  // 3.6 degrees
+  }
+  return false;
+}
+
+std::vector<Footprint> real_footprints() {
+  std::vector<Footprint> all;
+  for (const char* town : {"monaco", "helsinki", "baltimore", "liechtenstein"}) {
+    for (Footprint& footprint : from_town(town, 125)) all.push_back(std::move(footprint));
+  }
+  return all;
+}
+
+std::vector<Footprint> drawn_footprints() {
+  std::vector<Footprint> all;
+  for (const char* literal : {"rect:4x4",
+                              "rect:4x12",
+                              "rect:6x10",
+                              "rect:12x4",
+                              "rect:10x8",
+                              "rect:20x12",
+                              "rect:80x4",
+                              "rect:80x80",
+                              "rect:50x14",
+                              "L:6x6x2x2",
+                              "L:14x11x6x5",
+                              "L:60x40x45x28",
+                              "T:14x10x4x6",
+                              "T:60x40x20x20",
+                              "U:14x10x6x5",
+                              "U:50x40x26x24",
+                              "ring:14x12x5x4",
+                              "ring:60x50x30x25",
+                              "WKT:POLYGON((0 0, 9 -2, 15 4, 13 12, 5 14, -2 7, 0 0))",
+                              "WKT:POLYGON((0 0, 12 1, 11 9, 1 8, 0 0))",
+                              "WKT:POLYGON((0 0, 20 0, 8 14, 0 0))"}) {
+    for (const double height : {2.0, 3.0, 4.5, 6.0, 8.0, 11.0, 15.0, 21.0, 30.0}) {
+      all.push_back(footprint(literal));
+      all.back().id = std::string(literal) + " " + std::to_string(height);
+      set_height(all.back(), height);
+    }
+  }
+  return all;
+}
+
+bool finite(const Surface& surface) {
+  return std::ranges::all_of(surface.points, [](Vec3 p) { return std::isfinite(p.x + p.y + p.z); });
+}
+
+/// What is wrong with how a building came about, or nothing.
+std::string trouble(Derivation& derivation, const Footprint& on, Building& building) {
+  try {
+    derivation.derive(on, building);
+  } catch (const Failure& failure) {
+    return to_text(failure.diagnostic, false);
+  }
+  if (building.unmatched > 0)
+    return building.warnings.empty() ? "unmatched" : to_text(building.warnings[0], false);
+  if (!finite(building.surface)) return "a point is not finite";
+  if (building.surface.polygons() < 5) return "there is hardly anything";
+  return {};
+}
+
+void check_builds(const std::vector<Footprint>& footprints) {
+  for (const Sheet& sheet : sheets) {
+    CAPTURE(sheet.style);
+    const Script script = script_of(sheet);
+    REQUIRE(script.good());
+    Derivation derivation(script.program(), script.meshes(), {});
+    Building building;
+    std::size_t failed = 0, polygons = 0;
+    for (const Footprint& on : footprints) {
+      const std::string why = trouble(derivation, on, building);
+      polygons += building.surface.polygons();
+      if (!why.empty() && ++failed <= 3) MESSAGE(sheet.style, " on ", on.id, ": ", why);
+    }
+    MESSAGE(sheet.style, ": ", footprints.size(), " buildings, ", polygons, " polygons, ", failed,
+            " failed");
+    CHECK(failed == 0);
+  }
+}
+
+std::string name_of(const Script& script, const Surface& surface, std::size_t polygon) {
+  for (const Surface::Run& run : surface.runs) {
+    if (polygon < run.end) return std::string(script.program().symbols[run.symbol]);
+  }
+  return "?";
+}
+
+std::string place(Vec3 p) {
+  return std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z);
+}
+
+/// Every so many of the footprints: no fights, and no backs that show.
+void check_whole(const std::vector<Footprint>& footprints, std::size_t every) {
+  for (const Sheet& sheet : sheets) {
+    CAPTURE(sheet.style);
+    const Script script = script_of(sheet);
+    Derivation derivation(script.program(), script.meshes(), {});
+    Building building;
+    std::size_t fighting = 0, open = 0, buildings = 0;
+    for (std::size_t i = 0; i < footprints.size(); i += every) {
+      if (goes_on_beside_neighbour(footprints[i].polygon)) continue;
+      derivation.derive(footprints[i], building);
+      ++buildings;
+      const auto fights = test::fights(building.surface);
+      const auto backs = backs_seen(building.surface, 4000, static_cast<uint32_t>(i));
+      if (!fights.empty() && ++fighting <= 4) {
+        const Fight& f = fights[0];
+        MESSAGE(sheet.style, " on ", footprints[i].id, ": ", fights.size(), " fights, ",
+                name_of(script, building.surface, f.first), " and ",
+                name_of(script, building.surface, f.second), " share ", f.area, " m2 at ",
+                place(f.at));
+      }
+      if (!backs.empty() && ++open <= 4) {
+        MESSAGE(sheet.style, " on ", footprints[i].id, ": ", backs.size(), " backs seen, of ",
+                name_of(script, building.surface, backs[0].polygon), " at ", place(backs[0].at),
+                " from ", place(backs[0].from));
+      }
+    }
+    MESSAGE(sheet.style, ": ", buildings, " buildings, ", fighting, " with fights, ", open,
+            " with backs");
+    CHECK(fighting == 0);
+    CHECK(open == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every library style builds on drawn footprints of any height") {
+  check_builds(drawn_footprints());
+}
+
+TEST_CASE("every library style builds on real footprints of any height") {
+  const auto footprints = real_footprints();
+  if (!footprints.empty()) check_builds(footprints);
+}
+
+TEST_CASE("library buildings on drawn footprints are whole") { check_whole(drawn_footprints(), 5); }
+
+TEST_CASE("library buildings on real footprints are whole") {
+  check_whole(real_footprints(), std::getenv("MANSARD_LONG_TESTS") ? 5 : 25);
+}
+
+TEST_CASE("a library building of 300 square metres takes at most 20 ms") {
+  for (const Sheet& sheet : sheets) {
+    const Script script = script_of(sheet);
+    Derivation derivation(script.program(), script.meshes(), {});
+    Footprint on = footprint("rect:20x15");
+    set_height(on, 18);
+    Building building;
+    double best = 1e9;
+    for (int round = 0; round < 5; ++round) {
+      const auto start = std::chrono::steady_clock::now();
+      derivation.derive(on, building);
+      const std::chrono::duration<double, std::milli> took =
+          std::chrono::steady_clock::now() - start;
+      best = std::min(best, took.count());
+    }
+    MESSAGE(sheet.style, ": ", best, " ms, ", building.surface.polygons(), " polygons");
+    CHECK(best < 20);
+  }
+}
