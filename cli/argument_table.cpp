@@ -70,6 +70,8 @@ constexpr std::array arguments{
     ArgumentRow{"texture", "file", "the picture, .png or .jpg, beside the script"},
     ArgumentRow{"texture", "u", "metres across of one repeat, more than 0; 1 if nothing is said"},
     ArgumentRow{"texture", "v", "metres up of one repeat, more than 0; as u if nothing is said"},
+    ArgumentRow{"best", "score",
+                "a number, in which made(...) and reported(...) tell what came of a part"},
     ArgumentRow{"label", "name", "text"},
     ArgumentRow{"occluder", "hides", "true or false, also \"yes\" or \"no\"; true if nothing is said"},
     ArgumentRow{"set", "variable", "its name, without quotes: Tile.Width"},

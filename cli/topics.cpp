@@ -17,7 +17,7 @@ building and the variables that shape it.
 
 A rule rewrites a symbol:  NAME(params)[index] : condition -> successor : probability
 Every word has a page: mansard help override, mansard help ::, mansard help overhang.
-See also: mansard help rules, successors, sizes, selectors, variables, inheritance, questions,
+See also: mansard help rules, successors, sizes, selectors, variables, inheritance, questions, groups,
 elements, attributes, frames; docs/language.md is the whole of it.)"},
     Topic{
         "rules", "Rules and productions",
@@ -117,6 +117,24 @@ that cover nothing.
 A shape whose rules ask waits until nothing else is left; all that wait see the same building and are answered
 together. @stage(2) before a rule makes it wait for a later round; without it rules that ask are of stage 1.
 mansard tree FILE.style FOOTPRINT --rounds says what was asked and answered.)"},
+    Topic{
+        "groups", "Shapes that decide together, and the best of several alternatives",
+        R"(  Site(worth) : group.best(worth + W) -> ENTRANCE                       one in the whole building
+  Tile : group.any(Shape.occ("noparent") != "none", "ROW") -> HIGH      for the tiles of one row together
+
+The shapes of one symbol and style that wait for the same round are a group; each is asked with its own size,
+parameters and draws. A symbol behind it makes the group those below one ancestor of that symbol.
+
+  group.any(condition)  group.all(condition)  group.count(condition)
+  group.sum(x)  group.max(x)  group.min(x)
+  group.rank(score)   0 for the greatest        group.best(score)   true for exactly one
+
+Without @stage they are of stage 2, after all that waits for stage 1.
+
+  Plot -> best(reported("lit area")) { Slab | Court | Towers }
+
+derives each part to its end on the side and goes on with the one of the highest score. made("SYMBOL") counts
+terminals of a part, reported("key") sums what it reported.)"},
     Topic{"elements", "Meshes and looks of terminals",
           R"(  Elements  { WINDOW : "near.obj" "far.obj" : 0.7   "other.obj" : 0.3
               DOOR + "door3.obj" : 0.1   remove LEDGE }

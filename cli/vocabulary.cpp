@@ -84,6 +84,7 @@ std::string usage(const Operation& o) {
     case PartRule::named:
       return text + " { " + std::string(o.parts) + " }";
     case PartRule::sizes:
+    case PartRule::choices:
       return text + " { PART | ... }";
     case PartRule::pattern:
       return text + " { size : PART | { size : PART | ... }* }";

@@ -49,7 +49,7 @@ class DependenceWalk {
         break;
       case ExprKind::call:
         if (functions()[node.aux].random) draw();
-        if (functions()[node.aux].asks) found.shape = true;
+        if (functions()[node.aux].asks != Asks::nothing) found.shape = true;
         break;
       case ExprKind::variable:
         variable(node.first);

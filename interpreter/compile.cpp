@@ -257,6 +257,7 @@ void Compiler::compile_functions(uint16_t number) {
       uint16_t salt = 0;
       NameScope scope{number, binding.block, {}, none, false, false, &salt};
       for (const syntax::Name& p : binding.syntax->params) scope.parameters.push_back(p.text);
+      scope.in_function = !scope.parameters.empty();
       const uint32_t slot = function_slots_.at({number, qualified(binding.block, binding.name)});
       const ExprId value = expression(*binding.syntax->value, scope);
       program_.functions[slot].value = value;

@@ -252,6 +252,8 @@ ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
   }
   if (call.callee.names.size() == 2 && call.callee.names[0].text == "Shape")
     return question(call, at, scope);
+  if (call.callee.names.size() == 2 && call.callee.names[0].text == "group")
+    return group_question(call, at, scope);
   if (is_later_operation(name.text) || is_later_question(name.text)) refuse_later(at);
   const std::string_view own =
       call.callee.names.size() == 2 ? call.callee.names[0].text : scope.block;
@@ -273,9 +275,12 @@ ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
   for (const Function& f : functions()) known.push_back(f.name);
   for (const FunctionBinding& f : program_.styles[scope.style].linked->functions)
     known.push_back(f.name);
-  const auto asked = "Shape." + std::string(name.text);
-  refuse(name.at, "unknown function '" + std::string(name.text) + "'",
-         find_function(asked) ? "write " + asked + "(...)" : meant(name.text, known));
+  std::string help = meant(name.text, known);
+  for (const std::string_view prefix : {"Shape.", "group."}) {
+    const std::string whole = std::string(prefix) + std::string(name.text);
+    if (find_function(whole)) help = "write " + whole + "(...)";
+  }
+  refuse(name.at, "unknown function '" + std::string(name.text) + "'", help);
 }
 
 ExprId Compiler::function_call(const Function& function, const syntax::Call& call, Span at,

@@ -9,61 +9,69 @@
 
 namespace mansard {
 
-bool is_question(const ExprNode& node) {
-  return node.kind == ExprKind::call && functions()[node.aux].asks;
+Asks asked_by(const ExprNode& node) {
+  return node.kind == ExprKind::call ? functions()[node.aux].asks : Asks::nothing;
 }
+
+bool is_question(const ExprNode& node) { return asked_by(node) != Asks::nothing; }
 
 namespace {
 
-/// Whether expressions ask, through the variables and functions that they read.
+/// What expressions ask, through the variables and functions that they read: the greatest of Asks.
 class Askers {
  public:
   explicit Askers(const Program& program)
-      : program_(program), functions_(program.functions.size(), false) {
+      : program_(program), functions_(program.functions.size(), Asks::nothing) {
     // Functions may call each other in rings: what one gains by another takes one more pass.
     for (bool changed = true; changed;) {
       changed = false;
-      variables_.assign(program.variables.size(), unknown);
+      variables_.assign(program.variables.size(), std::nullopt);
       for (std::size_t i = 0; i < functions_.size(); ++i) {
-        if (functions_[i] || !asks(program.functions[i].value)) continue;
-        functions_[i] = changed = true;
+        const Asks now = asked(program.functions[i].value);
+        changed = changed || now != functions_[i];
+        functions_[i] = now;
       }
     }
   }
 
-  bool asks(ExprId id) {
-    if (id == none) return false;
+  Asks asked(ExprId id) {
+    if (id == none) return Asks::nothing;
     const ExprNode& node = program_.nodes[id];
-    if (is_question(node)) return true;
-    if (node.kind == ExprKind::definition && functions_[node.first]) return true;
-    if (node.kind == ExprKind::variable && variable(node.first)) return true;
+    Asks most = asked_by(node);
+    if (node.kind == ExprKind::definition) most = std::max(most, functions_[node.first]);
+    if (node.kind == ExprKind::variable) most = std::max(most, variable(node.first));
     for (uint32_t i = 0; i < node.count; ++i) {
-      if (asks(program_.children[node.children + i])) return true;
+      most = std::max(most, asked(program_.children[node.children + i]));
     }
-    return false;
+    return most;
   }
 
  private:
-  enum Known : uint8_t { unknown, no, yes };
-
-  bool variable(uint32_t slot) {
-    if (variables_[slot] == unknown)
-      variables_[slot] = asks(program_.variables[slot].value) ? yes : no;
-    return variables_[slot] == yes;
+  Asks variable(uint32_t slot) {
+    if (!variables_[slot]) variables_[slot] = asked(program_.variables[slot].value);
+    return *variables_[slot];
   }
 
   const Program& program_;
-  std::vector<bool> functions_;
-  std::vector<Known> variables_;
+  std::vector<Asks> functions_;
+  std::vector<std::optional<Asks>> variables_;
 };
 
 /// Looks through a production.
 struct Look {
+  const Program& program;
   Askers& askers;
-  bool found = false;
+  bool waits = false, of_group = false;
 
-  void step(const Step&) {}
-  void expression(ExprId id) { found = found || askers.asks(id); }
+  void step(const Step& step) {
+    waits =
+        waits || (step.kind == StepKind::operation && program.calls[step.what].operation->waits);
+  }
+  void expression(ExprId id) {
+    const Asks asked = askers.asked(id);
+    waits = waits || asked != Asks::nothing;
+    of_group = of_group || asked == Asks::group;
+  }
 };
 
 }  // namespace
@@ -71,16 +79,16 @@ struct Look {
 /// A rule set waits when one of its productions asks, or one that `super` leads to: a shape waits
 /// before it is known which is drawn.
 void Compiler::find_waiting() {
-  program_.asks = std::ranges::any_of(program_.nodes, is_question);
+  program_.asks = std::ranges::find(program_.nodes, Asks::others, asked_by) != program_.nodes.end();
   Askers askers(program_);
   // A rule set's super was declared before it.
   for (RuleSet& set : program_.rule_sets) {
     std::optional<uint16_t> stage;
     bool says_super = false;
-    Look look{askers};
+    Look look{program_, askers};
     for (uint32_t i = set.first; i < set.first + set.count; ++i) {
       const Production& production = program_.productions[i];
-      if (program_.asks && walk_production(program_, production, look)) says_super = true;
+      if (walk_production(program_, production, look)) says_super = true;
       if (!production.stage) continue;
       if (stage && *stage != *production.stage)
         attempt_anywhere([&] { refuse_two_stages(set, *stage, production); });
@@ -88,8 +96,10 @@ void Compiler::find_waiting() {
     }
     const RuleSet* const inherited =
         says_super && set.super != none ? &program_.rule_sets[set.super] : nullptr;
-    set.waits = look.found || stage.has_value() || (inherited && inherited->waits);
-    set.stage = stage.value_or(inherited && inherited->waits ? inherited->stage : usual_stage);
+    set.waits = look.waits || stage.has_value() || (inherited && inherited->waits);
+    const uint16_t usual = look.of_group ? group_stage : usual_stage;
+    set.stage =
+        stage.value_or(inherited && inherited->waits ? std::max(usual, inherited->stage) : usual);
   }
 }
 
@@ -115,7 +125,8 @@ std::optional<uint16_t> Compiler::stage_of(const syntax::Rule& rule) {
                        number->value == std::floor(number->value);
     if (!whole) {
       refuse(a.at, "a stage is a whole number from 0 to " + std::to_string(last_stage),
-             "rules that ask and say no stage are of stage " + std::to_string(usual_stage));
+             "rules that ask and say no stage are of stage " + std::to_string(usual_stage) +
+                 ", those that ask their group of stage " + std::to_string(group_stage));
     }
     return static_cast<uint16_t>(number->value);
   }
@@ -134,7 +145,7 @@ ExprId Compiler::question(const syntax::Call& call, Span at, NameScope& scope) {
   if (is_later_question(name.text)) refuse_later(at);
   std::vector<std::string_view> known;
   for (const Function& function : functions()) {
-    if (!function.asks) continue;
+    if (function.asks != Asks::others) continue;
     std::string_view word = function.name;
     if (word.starts_with("Shape.")) word.remove_prefix(6);
     if (word == name.text) return function_call(function, call, at, scope);
@@ -142,6 +153,27 @@ ExprId Compiler::question(const syntax::Call& call, Span at, NameScope& scope) {
   }
   refuse(name.at, "a shape can not be asked for '" + std::string(name.text) + "'",
          meant(name.text, known));
+}
+
+/// `group.best(...)`.
+ExprId Compiler::group_question(const syntax::Call& call, Span at, NameScope& scope) {
+  const syntax::Name& name = call.callee.names[1];
+  const std::string whole = "group." + std::string(name.text);
+  const Function* const function = find_function(whole);
+  if (!function) {
+    std::vector<std::string_view> known;
+    for (const Function& f : functions()) {
+      if (f.asks == Asks::group) known.push_back(f.name);
+    }
+    const std::string help = meant(whole, known);
+    refuse(at, "a group can not be asked for '" + std::string(name.text) + "'",
+           help.empty() ? "any, all, count, sum, max, min, rank, best" : help);
+  }
+  if (scope.in_function) {
+    refuse(at, "a group is asked in rules and variables, not in functions with parameters",
+           "each shape of the group has the rule's own parameters: write it there");
+  }
+  return function_call(*function, call, at, scope);
 }
 
 /// Labels may come from any text of the script.
@@ -169,7 +201,10 @@ void Compiler::check_questions() {
     const ExprNode& node = program_.nodes[id];
     if (node.kind == ExprKind::equal || node.kind == ExprKind::unequal)
       attempt_anywhere([&] { check_cover_word(node); });
-    if (is_question(node) && !computed) attempt_anywhere([&] { check_question(id, labels); });
+    const Asks asked = asked_by(node);
+    if (asked == Asks::others && !computed) attempt_anywhere([&] { check_question(id, labels); });
+    if (asked == Asks::group) attempt_anywhere([&] { check_group(id); });
+    if (asked == Asks::outcome) attempt_anywhere([&] { check_outcome(id); });
   }
 }
 

@@ -26,6 +26,7 @@ struct NameScope {
   uint16_t* salt = nullptr;  ///< counts random calls
   bool body_failed = false;  ///< so `fits` may ask about a split that is not known
   bool asked_fits = false;   ///< `fits` stands in the guard
+  bool in_function = false;  ///< of a `def` with parameters
 };
 
 class Compiler {
@@ -83,6 +84,7 @@ class Compiler {
   ExprId function_call(const Function& function, const syntax::Call& call, Span at,
                        NameScope& scope);
   ExprId question(const syntax::Call& call, Span at, NameScope& scope);
+  ExprId group_question(const syntax::Call& call, Span at, NameScope& scope);
   ExprId attribute_call(const syntax::Call& call, Span at, NameScope& scope);
   ExprId plain_argument(const syntax::Arg& arg, NameScope& scope);
   uint32_t variable_slot(uint16_t style, std::string_view block, std::string_view name) const;
@@ -141,6 +143,10 @@ class Compiler {
   void check_questions();
   void check_question(ExprId id, std::span<const std::string_view> labels);
   void check_cover_word(const ExprNode& comparison);
+  // check_groups.cpp
+  void check_group(ExprId id);
+  void check_outcome(ExprId id);
+  void check_symbol_word(ExprId id, std::string_view what);
   std::optional<uint16_t> stage_of(const syntax::Rule& rule);
   [[noreturn]] void refuse_two_stages(const RuleSet& set, uint16_t stage,
                                       const Production& production) const;
@@ -202,7 +208,8 @@ class Compiler {
   int rings_ = 0;  ///< of variables, that were complained of
 };
 
-/// A call of a function that asks about other shapes.
+/// What a node that is a call asks by itself.
+Asks asked_by(const ExprNode& node);
 bool is_question(const ExprNode& node);
 /// Questions that a later version brings.
 bool is_later_question(std::string_view name);

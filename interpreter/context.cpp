@@ -112,6 +112,11 @@ Values Context::take<Values>(std::size_t i) {
 }
 
 template <>
+Score Context::take<Score>(std::size_t i) {
+  return {i};
+}
+
+template <>
 Setting Context::take<Setting>(std::size_t) {
   return {};
 }

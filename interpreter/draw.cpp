@@ -242,7 +242,7 @@ bool Machine::draw_element(const Shape& shape, uint32_t number) {
     draw -= table.choices[chosen++].weight;
   }
   const ElementTable::Choice& choice = table.choices[chosen];
-  const std::size_t level = options.lod >= 3 ? 0 : choice.meshes.size() - 1;
+  const std::size_t level = lod >= 3 ? 0 : choice.meshes.size() - 1;
   const Mesh* const mesh = choice.meshes[level];
   if (!mesh) return false;
   PooledMesh pooled;

@@ -62,7 +62,7 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
     fail(s.at, "more than " + std::to_string(options.max_shapes) + " shapes in one building",
          "does a rule call itself without end? --max-shapes allows more");
   }
-  if (options.keep_tree) building->tree.push_back({child, expanding, false});
+  if (keeps_tree) building->tree.push_back({child, expanding, false});
   const uint32_t rules = rules_of(child);
   if (program.asks && (rules == none || !program.rule_sets[rules].waits)) show(child, false);
   if (rules == none) {
@@ -85,7 +85,7 @@ void Machine::check_arguments(const Step& s, const RuleSet& rules, const Shape& 
 
 void Machine::finish(Shape& shape) {
   ++building->terminals[shape.symbol];
-  if (options.keep_tree) building->tree[shape.node].terminal = true;
+  if (keeps_tree) building->tree[shape.node].terminal = true;
   if (program.asks && is_solid(shape)) mark_active(shape);
   draw(shape, shape.symbol);
 }

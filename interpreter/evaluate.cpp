@@ -212,7 +212,7 @@ Value Machine::call_function(const ExprNode& node, uint32_t id, const Env& env) 
   const Function& function = functions()[node.aux];
   std::array<Value, 8> few;
   Value* const values = node.count <= few.size() ? few.data() : values_.take(node.count);
-  for (uint32_t i = 0; i < node.count; ++i) {
+  for (uint32_t i = function.each ? 1 : 0; i < node.count; ++i) {
     values[i] = evaluate(program.children[node.children + i], env);
   }
   const uint64_t draw = function.random ? mix(env.draws, node.salt) : 0;

@@ -21,6 +21,14 @@ struct FunctionCall {
   const Shape* shape = nullptr;  ///< null where no shape may be read
 };
 
+/// What a function needs that only a round of waiting shapes knows.
+enum class Asks : uint8_t {
+  nothing,
+  others,   ///< solids around the shape
+  group,    ///< the shapes that are answered with it
+  outcome,  ///< what came of an alternative: in the score of best() only
+};
+
 struct Function {
   std::string_view name, args, summary, example;
   Value (*invoke)(const FunctionCall&) = nullptr;
@@ -28,7 +36,8 @@ struct Function {
   uint8_t count = 0, required = 0;
   bool variadic = false;
   bool random = false;
-  bool asks = false;  ///< about other shapes: the rule waits for a round
+  bool each = false;  ///< evaluates its first argument itself, for each shape of the group
+  Asks asks = Asks::nothing;
 
   std::string_view parameter_name(std::size_t i) const { return name_of(args, i); }
 };

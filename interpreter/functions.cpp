@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "interpreter/function.hpp"
+#include "interpreter/group.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/question.hpp"
+#include "interpreter/trial.hpp"
 #include "interpreter/units.hpp"
 
 namespace mansard {
@@ -36,6 +38,12 @@ struct argument<std::string_view> {
 template <>
 struct argument<Value> {
   static Value take(const FunctionCall& c, std::size_t i) { return c.args[i]; }
+};
+template <class T>
+struct argument<Each<T>> {
+  static Each<T> take(const FunctionCall& c, std::size_t i) {
+    return {c.machine.program.children[c.machine.program.nodes[c.node].children + i]};
+  }
 };
 template <>
 struct argument<Values> {
@@ -87,7 +95,26 @@ template <auto F>
 consteval Function asking(std::string_view name, std::string_view args, std::string_view summary,
                           std::string_view example) {
   Function r = row<F>(name, args, summary, example);
-  r.asks = true;
+  r.asks = Asks::others;
+  return r;
+}
+
+/// About the shapes that are answered together.
+template <auto F>
+consteval Function of_group(std::string_view name, std::string_view args, std::string_view summary,
+                            std::string_view example) {
+  Function r = row<F>(name, args, summary, example);
+  r.asks = Asks::group;
+  r.each = true;
+  return r;
+}
+
+/// About what came of an alternative.
+template <auto F>
+consteval Function of_outcome(std::string_view name, std::string_view args,
+                              std::string_view summary, std::string_view example) {
+  Function r = row<F>(name, args, summary, example);
+  r.asks = Asks::outcome;
   return r;
 }
 
@@ -307,6 +334,38 @@ constexpr std::array rows{
     asking<has_contact>("touches", "set",
                         "Whether a solid of the set ends in the plane of the shape, on it.",
                         "touches(\"noparent\")"),
+    of_group<group_any>("group.any", "condition, within",
+                        "Whether the condition holds for some shape of the group.",
+                        "group.any(W < 1)"),
+    of_group<group_all>("group.all", "condition, within",
+                        "Whether the condition holds for every shape of the group.",
+                        "group.all(W > 1)"),
+    of_group<group_count>("group.count", "condition, within",
+                          "For how many shapes of the group the condition holds.",
+                          "group.count(true)"),
+    of_group<group_sum>("group.sum", "number, within", "The sum over the shapes of the group.",
+                        "group.sum(area)"),
+    of_group<group_max>("group.max", "number, within",
+                        "The greatest number among the shapes of the group.",
+                        "group.max(H, \"FOOTPRINT\")"),
+    of_group<group_min>("group.min", "number, within",
+                        "The least number among the shapes of the group.", "group.min(W)"),
+    of_group<group_rank>("group.rank", "score, within",
+                         "How many shapes of the group have a greater score, or the same and come "
+                         "first: 0 for the best.",
+                         "group.rank(area) < 3"),
+    of_group<group_best>("group.best", "score, within",
+                         "Whether no shape of the group has a greater score, nor the same and "
+                         "comes first: holds for exactly one.",
+                         "group.best(area)"),
+    of_outcome<made>("made", "symbol",
+                     "In the score of best(): how many terminals of the symbol the alternative "
+                     "has.",
+                     "made(\"MASS\")"),
+    of_outcome<reported>("reported", "key",
+                         "In the score of best(): the sum of the numbers that the alternative "
+                         "gave to report(key, ...).",
+                         "reported(\"floor area\")"),
 };
 
 void refuse(const FunctionCall& c, std::size_t i, std::string_view expected) {

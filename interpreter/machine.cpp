@@ -25,14 +25,9 @@ void Machine::derive(const Footprint& input, Building& result) {
     Shape start = footprint_shape();
     nodes_.push_back({Shape::none, start.symbol, start.seed});
     start.node = 0;
-    if (options.keep_tree) building->tree.push_back({start, Shape::none, false});
+    if (keeps_tree) building->tree.push_back({start, Shape::none, false});
     stack_.push_back(start);
-    while (!stack_.empty()) {
-      Shape shape = stack_.back();
-      stack_.pop_back();
-      expand(shape);
-      if (stack_.empty()) answer_rounds();
-    }
+    derive_all();
   } catch (Failure& failure) {
     explain(failure.diagnostic);
     auto warnings = std::move(result.warnings);
@@ -40,6 +35,18 @@ void Machine::derive(const Footprint& input, Building& result) {
     result.id = input.id;
     result.warnings = std::move(warnings);
     throw;
+  }
+}
+
+void Machine::derive_all() {
+  for (;;) {
+    while (!stack_.empty()) {
+      Shape shape = stack_.back();
+      stack_.pop_back();
+      expand(shape);
+    }
+    if (waiting_.empty()) return;
+    answer_round();
   }
 }
 
@@ -65,6 +72,13 @@ void Machine::reset(const Footprint& input, Building& result) {
   scratch_counts.clear();
   std::fill(counts_.begin(), counts_.end(), Count{});
   expanding = none;
+  meeting = nullptr;
+  meetings_.reset();
+  trials_.reset();
+  tried_ = 0;
+  lod = options.lod;
+  keeps_tree = options.keep_tree;
+  scoring_ = explained_ = false;
   production = nullptr;
   current_rules_ = none;
   depth_ = super_depth_ = 0;

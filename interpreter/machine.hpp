@@ -9,6 +9,7 @@
 
 #include "interpreter/building.hpp"
 #include "interpreter/derivation.hpp"
+#include "interpreter/group.hpp"
 #include "interpreter/operation.hpp"
 #include "interpreter/pool.hpp"
 #include "interpreter/program.hpp"
@@ -100,6 +101,18 @@ class Machine {
   void show_apart(Shape& shape);
   void note_answer(uint32_t node, const Shape& shape, std::string_view answer,
                    const std::string& why);
+  uint32_t rules_of(const Shape& shape) const;
+  /// The node of the nearest ancestor of a symbol, or none.
+  uint32_t ancestor(const Shape& shape, uint32_t symbol) const;
+  /// What an expression of the current rule is for another shape of its group.
+  double value_for(const Shape& shape, ExprId expr, Gather how);
+
+  // ---- alternatives (trial.cpp)
+  /// Derives a part to its end on the side and gives the score of what came of it.
+  double try_part(Context& c, std::size_t i, ExprId score);
+  void note_choice(const Call& call, std::size_t part, const std::string& why);
+  /// Whether the score of an alternative is being evaluated.
+  bool scores() const { return scoring_; }
 
   // ---- looks
   const Material& material(uint32_t number) const;
@@ -127,6 +140,9 @@ class Machine {
   double base_elevation = 0;
   World world;  ///< empty unless the program asks
   LastCover last_cover;
+  Meeting* meeting = nullptr;  ///< the round that is being answered
+  int lod = 3;                 ///< level of detail to derive at
+  bool keeps_tree = false;
 
   /// Holds a number of levels of evaluation; too many are an error of the style's.
   class Deeper {
@@ -157,10 +173,9 @@ class Machine {
   Shape footprint_shape();
   void expand(Shape& shape);
   void replace(Shape& shape);
-  void answer_rounds();
+  void derive_all();
   void answer_round();
   void mark_active(const Shape& shape);
-  uint32_t rules_of(const Shape& shape) const;
   const Production* choose(const RuleSet& rules, const Shape& shape, Env& env);
   void rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env& env);
   void step(const Step& step, Shape& shape, const Env& env);
@@ -172,7 +187,7 @@ class Machine {
   Diagnostic why_no_candidate(const RuleSet& rules, const Shape& shape) const;
   uint16_t style_named(const Value& name, Span at) const;
   void bind_index(const Production& chosen, const RuleSet& rules, const Shape& shape, Env& env);
-  void explain(Diagnostic& diagnostic) const;
+  void explain(Diagnostic& diagnostic);
 
   // evaluate.cpp
   Value infix(const ExprNode& node, uint32_t id, const Env& env);
@@ -202,7 +217,11 @@ class Machine {
                      uint64_t salt) const;
 
   std::vector<Shape> stack_;
-  std::vector<Shape> waiting_, asking_;
+  std::vector<Shape> waiting_;
+  Pool<Meeting> meetings_;
+  Pool<Building> trials_;
+  bool scoring_ = false, explained_ = false;
+  std::size_t tried_ = 0;  ///< shapes of alternatives that were tried in this building
   std::vector<Node> nodes_;
   std::vector<Count> counts_;  ///< by symbol: how many the current rule has emitted
   Pool<PooledPolygon> polygons_;
@@ -227,6 +246,7 @@ class Machine {
   std::size_t calls_ = 0;           ///< of functions, and of variables by others, in this building
 
   friend class BuildingValues;
+  friend class Trial;
   friend class Context;
 };
 
@@ -282,6 +302,8 @@ template <>
 Sizes Context::take<Sizes>(std::size_t i);
 template <>
 Values Context::take<Values>(std::size_t i);
+template <>
+Score Context::take<Score>(std::size_t i);
 template <>
 Setting Context::take<Setting>(std::size_t i);
 

@@ -154,8 +154,10 @@ void Machine::warn(Diagnostic warning) {
   building->warnings.push_back(std::move(warning));
 }
 
-/// Says what was being derived: the rule, the chain of symbols above it, the footprint.
-void Machine::explain(Diagnostic& diagnostic) const {
+/// Says what was being derived: the rule, the chain of symbols above it, the footprint. Once: where
+/// the failure was.
+void Machine::explain(Diagnostic& diagnostic) {
+  if (std::exchange(explained_, true)) return;
   if (production && expanding < nodes_.size()) {
     const auto symbol = std::string(program.symbols[nodes_[expanding].symbol]);
     diagnostic.notes.push_back({"while deriving '" + symbol + "' by this rule of style '" +

@@ -21,6 +21,7 @@ enum class PartRule : uint8_t {
   sizes,  ///< one part for each size
   pattern,    ///< parts labelled with sizes, groups repeat
   selectors,  ///< parts labelled with selectors
+  choices,    ///< any number of parts, of which one is taken
 };
 
 inline constexpr std::size_t most_part_names = 13;  ///< of PartRule::named
@@ -39,6 +40,7 @@ struct Operation {
   uint8_t count = 0, required = 0;
   bool variadic = false;  ///< the last parameter takes the rest
   bool is_split = false;
+  bool waits = false;  ///< its rule waits for a round
 
   std::string_view parameter_name(std::size_t i) const { return name_of(args, i); }
 };

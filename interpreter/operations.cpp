@@ -43,6 +43,15 @@ consteval Operation row(std::string_view group, std::string_view name, std::stri
   return r;
 }
 
+template <auto F>
+consteval Operation waiting(std::string_view group, std::string_view name, std::string_view args,
+                            PartRule rule, std::string_view parts, std::string_view summary,
+                            std::string_view example) {
+  Operation r = row<F>(group, name, args, rule, parts, summary, example);
+  r.waits = true;
+  return r;
+}
+
 using enum PartRule;
 namespace op = operation;
 
@@ -172,6 +181,10 @@ constexpr std::array rows{
     row<op::set>("context", "set", "variable, value", without, "",
                  "Gives a variable another value for this shape and all that is derived from it.",
                  "set(Test.Height, 5) extrude(Height) MASS"),
+    waiting<op::best>("context", "best", "score", choices, "",
+                      "Tries each part to its end and goes on with the one whose score is highest: "
+                      "the first of them.",
+                      "best(made(\"LOT\")) { subdiv(\"X\", 5, 1r) { LOT | LOT } | LOT }"),
     row<op::report>("control", "report", "key, value", without, "",
                     "Adds a value to the report under a key: numbers are summed, texts counted.",
                     "report(\"plot\", area) PLOT"),

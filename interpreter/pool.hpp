@@ -18,6 +18,8 @@ class Pool {
   T& operator[](uint32_t i) { return items_[i]; }
   const T& operator[](uint32_t i) const { return items_[i]; }
   uint32_t size() const { return used_; }
+  /// The one taken last.
+  void give_back() { --used_; }
   void reset() { used_ = 0; }
 
  private:

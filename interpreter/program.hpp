@@ -163,7 +163,8 @@ struct Production {
   Origin from;
 };
 
-inline constexpr uint16_t usual_stage = 1, last_stage = 1000;
+/// Groups are asked when all that waits for stage 1 has been derived, so that nobody is missing.
+inline constexpr uint16_t usual_stage = 1, group_stage = 2, last_stage = 1000;
 
 struct RuleSet {
   uint32_t first = 0, count = 0;  ///< in Program::productions

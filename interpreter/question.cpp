@@ -90,7 +90,7 @@ bool Question::asks_about(uint32_t solid) const {
 }
 
 void Question::name(const std::string& occluder) {
-  if (machine_.options.keep_tree) why_ += (why_.empty() ? "" : ", ") + occluder;
+  if (machine_.keeps_tree) why_ += (why_.empty() ? "" : ", ") + occluder;
 }
 
 Cover Question::cover_of(const Shape& face) {

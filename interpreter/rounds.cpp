@@ -29,11 +29,6 @@ void Machine::show_apart(Shape& shape) {
   show(shape, false);
 }
 
-/// Until there is something to derive again: all that were answered may be terminals.
-void Machine::answer_rounds() {
-  while (stack_.empty() && !waiting_.empty()) answer_round();
-}
-
 /// Those that wait are of one stage or of several; what they emit is derived before the next round.
 void Machine::answer_round() {
   uint16_t stage = 0xffff;
@@ -42,23 +37,30 @@ void Machine::answer_round() {
   const auto later = std::stable_partition(waiting_.begin(), waiting_.end(), [&](const Shape& s) {
     return program.rule_sets[rules_of(s)].stage == stage;
   });
-  asking_.assign(waiting_.begin(), later);
+  Meeting& round = meetings_[meetings_.take()];
+  round.open();
+  round.shapes.assign(waiting_.begin(), later);
   waiting_.erase(waiting_.begin(), later);
   world.freeze();
-  if (options.keep_tree) building->rounds.push_back({stage, asking_.size(), {}});
+  if (keeps_tree) building->rounds.push_back({stage, round.shapes.size(), {}});
   last_cover.known = false;
-  for (Shape& shape : asking_) {
-    show(shape, false);
+  for (Shape& shape : round.shapes) show(shape, false);
+  for (uint32_t i = 0; i < round.shapes.size(); ++i) {
+    meeting = &round;  // an alternative's own rounds may have come between
+    round.current = i;
+    Shape shape = round.shapes[i];
     const std::size_t first = stack_.size();
     replace(shape);
     std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(first), stack_.end());
   }
+  meeting = nullptr;
+  meetings_.give_back();
   std::reverse(stack_.begin(), stack_.end());  // the first one's first child is on top
 }
 
 void Machine::note_answer(uint32_t node, const Shape& shape, std::string_view answer,
                           const std::string& why) {
-  if (!options.keep_tree || building->rounds.empty()) return;
+  if (!keeps_tree || building->rounds.empty()) return;
   Answer now{shape.node, std::string(program.spans[node].text()), std::string(answer), why};
   auto& answers = building->rounds.back().answers;
   const bool again = !answers.empty() && answers.back().node == now.node &&

@@ -47,6 +47,15 @@ struct Values {
 struct Edges {
   Value value;
 };
+/// An expression that gives a T, evaluated by the function itself: for each shape of a group.
+template <class T>
+struct Each {
+  uint32_t expr = 0;
+};
+/// An argument that the operation itself evaluates, when its parts are derived.
+struct Score {
+  std::size_t place = 0;
+};
 /// The variable that set() names; its number is in the call.
 struct Setting {};
 
@@ -83,6 +92,14 @@ struct parameter_of<Sizes> {
 template <>
 struct parameter_of<Values> {
   static constexpr Parameter is{ArgType::values, true};
+};
+template <class T>
+struct parameter_of<Each<T>> {
+  static constexpr Parameter is{parameter_of<T>::is.type, false};
+};
+template <>
+struct parameter_of<Score> {
+  static constexpr Parameter is{ArgType::number, false};
 };
 template <>
 struct parameter_of<Setting> {

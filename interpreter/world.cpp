@@ -38,6 +38,15 @@ void World::freeze() {
   index_.build(boxes_);
 }
 
+void World::go_back(uint32_t size, uint32_t frozen_then) {
+  std::erase_if(meshes_, [&](const auto& known) { return known.first >= size; });
+  all_.resize(size);
+  if (frozen() == frozen_then) return;
+  boxes_.resize(frozen_then);
+  for (uint32_t i = 0; i < frozen_then; ++i) boxes_[i] = all_[i].box;
+  index_.build(boxes_);
+}
+
 bool World::is_above(uint32_t solid, uint32_t of) const {
   for (; of != Shape::none; of = all_[of].shape.solid) {
     if (of == solid) return true;

@@ -49,6 +49,9 @@ class World {
   /// What is there now is what near() finds until the next freeze.
   void freeze();
   void near(const Box3& box, std::vector<uint32_t>& found) const { index_.near(box, found); }
+  uint32_t frozen() const { return static_cast<uint32_t>(boxes_.size()); }
+  /// As it was when it had `size` solids, of which the first `frozen` were frozen.
+  void go_back(uint32_t size, uint32_t frozen);
 
   /// The solid's cross-section just before the face's plane (geometry/occlusion.hpp), and what it
   /// fills before it.

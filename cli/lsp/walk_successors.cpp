@@ -105,13 +105,27 @@ void Walk::is(const syntax::Expr&, const syntax::Reference& reference) {
   }
 }
 
+namespace {
+
+/// A text that is the name of a symbol: group.any(…, "ROW"), made("WINDOW").
+bool names_symbol(const syntax::Reference& callee, std::size_t argument) {
+  const std::string_view name = callee.names.back().text;
+  if (callee.names.size() == 1) return name == "made" && argument == 0;
+  return callee.names[0].text == "group" && argument == 1;
+}
+
+}  // namespace
+
 void Walk::is(const syntax::Expr&, const syntax::Call& call) {
   const syntax::Reference& callee = call.callee;
   if (callee.names.size() == 2) add(Site::block_use, callee.names[0]);
   if (callee.names.size() <= 2 && !callee.style)
     add(Site::call, callee.names.back()).of =
         callee.names.size() == 2 ? callee.names[0].text : std::string_view{};
-  for (const syntax::Arg& arg : call.args) expression(arg.value.value);
+  for (std::size_t i = 0; i < call.args.size(); ++i) {
+    if (names_symbol(callee, i)) add_text(Site::symbol_use, call.args[i].value.value);
+    expression(call.args[i].value.value);
+  }
 }
 
 void Walk::is(const syntax::Expr&, const syntax::List& list) {

@@ -43,7 +43,10 @@ bool is_slip(std::string_view word, std::string_view name) {
   }
   if (word.size() + 1 != name.size() || word.size() < 4) return false;
   const char missing = name[front];
-  if (back > 0) return word.size() >= 5 && same_case(missing, name[front - 1]);
+  if (back > 0) {  // EntrancePnel, but not PanelFront beside PanelAFront
+    return word.size() >= 5 && (same_case(missing, name[front - 1]) ||
+                                (!is_upper(missing) && same_case(missing, name[front + 1])));
+  }
   return same_case(missing, name[front - 1]) && missing != 'S' && missing != 's';
 }
 

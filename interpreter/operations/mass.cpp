@@ -70,11 +70,11 @@ void extrude(Context& c, double height, std::optional<std::string_view> corners)
   }
   need_flat(c);
   const bool mass = rises(c.shape);
-  if (height == 0 || (!mass && c.machine.options.lod <= 2)) return c.become(c.shape);
+  if (height == 0 || (!mass && c.machine.lod <= 2)) return c.become(c.shape);
   Shape solid = raised(c.shape, height);
   if (mass) {
     solid.mass = true;
-    if (c.machine.options.lod == 1) {
+    if (c.machine.lod == 1) {
       c.machine.finish_early(solid);
       c.shape = solid;
       return;
@@ -132,7 +132,7 @@ void detrude(Context& c, double depth) {
   need_flat(c);
   if (c.shape.ground) c.shape = lying_face(c.shape);
   Shape inner = c.shape;
-  const bool moved = depth > 0 && c.machine.options.lod == 3;
+  const bool moved = depth > 0 && c.machine.lod == 3;
   if (moved) inner.scope.origin = c.shape.scope.at({0, 0, -depth});
   c.named_part(0, inner);
   if (!moved || !c.wants(1)) return;
@@ -143,7 +143,7 @@ void taper(Context& c, double height) {
   positive(c, 0, height);
   need_flat(c);
   if (height == 0) return c.become(c.shape);
-  if (!rises(c.shape) && c.machine.options.lod <= 2) return c.become(c.shape);
+  if (!rises(c.shape) && c.machine.lod <= 2) return c.become(c.shape);
   Shape flat = c.shape.ground ? c.shape : standing_ground(c.shape);
   flat.geometry = c.machine.add_mesh(tapered(plan_of(c.machine, c.shape), height));
   flat.form = Form::mesh;
@@ -151,7 +151,7 @@ void taper(Context& c, double height) {
   flat.scope.size.y = height;
   flat.mass = flat.mass || rises(c.shape);
   flat.uv_frame = Shape::none;
-  if (c.machine.options.lod == 1 && !c.shape.mass) {
+  if (c.machine.lod == 1 && !c.shape.mass) {
     c.machine.finish_early(flat);
     c.shape = flat;
     return;

@@ -135,6 +135,10 @@ CONSTRUCTS = {
     **{f"set {w}": rf'\("{w}"' for w in ("all", "noparent", "neighbours")},
     "set of a label": r'(?s)label\("bay"\).*Shape\.occ\("bay"\)',
     "distance": r'"distance", \d',
+    **{f"group.{w}": rf"\bgroup\.{w}\(" for w in ("any", "best")},
+    "group below a symbol": r'group\.any\(.*, "ROW"\)',
+    "alternatives": r"\bbest\((?s:.*?)\) \{ .* \| ",
+    **{f"{f}()": rf"\b{f}\(" for f in ("made", "report")},
     "@stage": r"@stage\(2\)",
     "occluder": r"\boccluder\(",
     # elements and materials

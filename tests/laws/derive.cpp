@@ -68,6 +68,16 @@ Footprint footprint(const std::string& literal) {
   return set.footprints.at(0);
 }
 
+std::map<std::string, std::vector<Vec3>> by_symbol(const Script& script, const Building& building) {
+  std::map<std::string, std::vector<Vec3>> points;
+  for_each_polygon(building.surface, [&](std::size_t polygon, uint32_t symbol) {
+    auto& of = points[std::string(script.program().symbols[symbol])];
+    const auto loop = building.surface.loop(polygon);
+    of.insert(of.end(), loop.begin(), loop.end());
+  });
+  return points;
+}
+
 double area(const Surface& surface, std::size_t polygon) {
   return length(newell(surface.loop(polygon))) / 2;
 }

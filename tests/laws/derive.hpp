@@ -1,6 +1,7 @@
 // Styles and derivations in a line, for tests of what always holds.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -49,6 +50,9 @@ void for_each_polygon(const Surface& surface, F f) {
     for (; polygon < run.end; ++polygon) f(polygon, run.symbol);
   }
 }
+
+/// Points of every terminal, by its symbol's name: the numbers of symbols depend on the script.
+std::map<std::string, std::vector<Vec3>> by_symbol(const Script& script, const Building& building);
 
 double area(const Surface& surface, std::size_t polygon);
 double area_of(const Building& building, uint32_t symbol);

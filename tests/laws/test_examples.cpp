@@ -33,9 +33,13 @@ TEST_CASE("every function's example has a value") {
   for (const Function& function : functions()) {
     CAPTURE(function.name);
     CHECK(function.summary.ends_with('.'));
-    const Script script =
-        Script::text("style Manual { Test { FOOTPRINT -> extrude(6) report(\"value\", " +
-                     std::string(function.example) + ") MASS } }");
+    const std::string example(function.example);
+    const bool scores = function.asks == Asks::outcome;  // of alternatives only
+    const Script script = Script::text(
+        "style Manual { Test { FOOTPRINT -> extrude(6) " +
+        (scores ? "best(" + example + ") { report(\"floor area\", area) MASS | LAWN }" +
+                      " report(\"value\", 1) } }"
+                : "report(\"value\", " + example + ") MASS } }"));
     REQUIRE(script.good());
     const Building building = script.derive("rect:10x8");
     const ReportEntry& entry = building.report.at("value");

@@ -15,17 +15,6 @@ namespace {
 using namespace mansard;
 using namespace mansard::test;
 
-/// Points of every terminal, by its symbol's name: the numbers of symbols depend on the script.
-std::map<std::string, std::vector<Vec3>> by_symbol(const Script& script, const Building& building) {
-  std::map<std::string, std::vector<Vec3>> points;
-  for_each_polygon(building.surface, [&](std::size_t polygon, uint32_t symbol) {
-    auto& of = points[std::string(script.program().symbols[symbol])];
-    const auto loop = building.surface.loop(polygon);
-    of.insert(of.end(), loop.begin(), loop.end());
-  });
-  return points;
-}
-
 const std::vector<std::string> rules{
     R"(FOOTPRINT -> [ s(6, 0, 8) extrude(9) MASS ] [ t(6, 0, 0) s(4, 0, 5) extrude(6) MASS ]
                     [ t(2, 0, 7) s(2, 8, 2) cylinder(12) MASS ])",

@@ -186,7 +186,7 @@ void add_misspelt(std::vector<Slip>& all) {
   when("emitted symbol", [](const Place& p) {  // a short one may be meant
     const bool is_head = p[1].text == "->" || p[1].text == ":";
     return p.text().size() > 5 && p.script().has(p.text(), "->") && !is_head && p[1].text != "(" &&
-           p[1].text != "[" && p[-1].text != "::";
+           p[1].text != "[" && p[1].text != "{" && p[-1].text != "::";  // "{": a block
   });
   when("overriding symbol", [](const Place& p) { return p[-1].text == "override"; });
   when("keyword", [](const Place& p) { return p.token().keyword && p.text() != "super"; });

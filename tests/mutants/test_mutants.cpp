@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "interpreter/program.hpp"
 #include "styles/library.hpp"
@@ -104,6 +105,13 @@ bool names_cause(const Mutant& mutant, const std::string& message) {
   });
 }
 
+std::string line_of(const Mutant& mutant) {
+  std::istringstream text(mutant.text);
+  std::string line;
+  for (uint32_t i = 0; i < mutant.line && std::getline(text, line); ++i) continue;
+  return line;
+}
+
 std::deque<Original> originals() {
   std::vector<fs::path> paths{fs::path(MANSARD_ROOT) / "styles/library/listings.style"};
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(MANSARD_ROOT) / "examples")) {
@@ -139,6 +147,7 @@ TEST_CASE("one slip in a script is told where it is, by its name") {
       std::printf("%s%s%s: line %u of %s\n%s\n", near ? "" : "FAR ", names ? "" : "UNNAMED ",
                   mutant.kind.c_str(), mutant.line, mutant.path.c_str(), said.printed.c_str());
     CHECK_MESSAGE(near, mutant.kind << ", line " << mutant.line << " of " << mutant.path << "\n"
+                                    << line_of(mutant) << "\n"
                                     << said.printed);
   }
   std::printf("%zu mutants, %zu first messages name the cause: %.1f %%\n", all.size(), named,
