@@ -58,10 +58,11 @@ constexpr auto joined(const Parts&... parts) {
 }
 
 constexpr auto derive_flags =
-    joined(Flag{"-o,--output", "OUT", "the model to write; its ending says the format (.obj)"},
+    joined(Flag{"-o,--output", "OUT",
+                "the model to write; its ending says the format: .obj, .glb or .gltf"},
            variation_flags, threads_flag, plots_flags,
            Flag{"--report", "FILE.json", "counts, areas and report() values"},
-           Flag{"--up", "y|z", "which axis points up in the model (default y)"}, derivation_flags,
+           Flag{"--up", "y|z", "which axis points up in an .obj (default y)"}, derivation_flags,
            keep_flag, printing_flags);
 constexpr auto check_flags = joined(path_flag, set_flag, printing_flags);
 constexpr auto format_flags =
@@ -106,7 +107,7 @@ constexpr std::array rows{
     Command{"derive", "FILE.style FOOTPRINTS -o OUT", "derives a building for every footprint", 2,
             2, derive_flags,
             "mansard derive terrace.style rect:6x10 -o terrace.obj\n"
-            "mansard derive quarter.style footprints.geojson --seed 7 -o quarter.obj",
+            "mansard derive quarter.style footprints.geojson --seed 7 -o quarter.glb",
             run_derive},
     Command{"check", "FILE.style...",
             "reads, links and checks scripts without deriving: every error and warning at once", 1,

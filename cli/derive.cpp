@@ -25,11 +25,17 @@ Up up_of(const Arguments& arguments) {
 
 std::string output_of(const Arguments& arguments) {
   const auto out = arguments.value("--output");
-  if (!out) throw UsageError("say where the model goes: -o OUT.obj");
-  if (!out->ends_with(".obj")) {
-    throw UsageError("'" + *out + "' has no ending that this version writes: it writes .obj");
+  if (!out) throw UsageError("say where the model goes: -o OUT.obj or OUT.glb");
+  for (const char* const ending : {".obj", ".glb", ".gltf"}) {
+    if (out->ends_with(ending)) return *out;
   }
-  return *out;
+  throw UsageError("'" + *out + "' has no ending that is written: .obj, .glb or .gltf");
+}
+
+std::unique_ptr<SurfaceWriter> writer_of(const Job& job, const std::string& comment) {
+  if (job.out.ends_with(".obj")) return write_obj(job.out, up_of(job.arguments), comment);
+  if (up_of(job.arguments) == Up::z) throw UsageError("--up z is for .obj: glTF is always y up");
+  return write_gltf(job.out, comment);
 }
 
 /// Nothing that is read is written over, and the report not over the model.
@@ -63,9 +69,9 @@ int derive(Job& job) {
   const FootprintSet set =
       footprints(job.session, job.arguments.positional()[1], job.arguments, broken);
   const auto started = std::chrono::steady_clock::now();
-  const auto writer =
-      write_obj(job.out, up_of(job.arguments), model_comment(program, set, options));
+  const auto writer = writer_of(job, model_comment(program, set, options));
   const std::vector<std::string_view> symbols = symbol_names(program);
+  const std::string_view style = program.styles[program.main_style].name;
   std::optional<OutputFile> report_file;  // a folder that is missing is said before the work
   if (const auto path = job.arguments.value("--report")) report_file.emplace(*path);
   Looks looks(program);
@@ -84,7 +90,9 @@ int derive(Job& job) {
                         }
                         looks.adopt(building);
                         report.add(building);
-                        writer->add({building.id, &building.surface}, symbols, looks.all());
+                        writer->add(
+                            {building.id, &building.surface, style, derived.footprint->properties},
+                            symbols, looks.all());
                       });
   }();
   if (totals.interrupted) {

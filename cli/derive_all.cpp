@@ -45,6 +45,7 @@ class Slots {
 
 void derive_one(Derivation& derivation, const Footprint& footprint, Derived& result) {
   result.error.reset();
+  result.footprint = &footprint;
   try {
     derivation.derive(footprint, result.building);
   } catch (Failure& failure) {

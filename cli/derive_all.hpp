@@ -11,6 +11,7 @@ namespace mansard {
 /// What came of a footprint.
 struct Derived {
   Building building;
+  const Footprint* footprint = nullptr;
   std::optional<Diagnostic> error;
 };
 

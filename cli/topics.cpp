@@ -210,6 +210,14 @@ Derived on the same footprint, with the same --attr and --lod, it gives the same
 say here what a style says: set() in a rule and a footprint's property are stronger. Files in DIR are written
 over only when they begin with this first line.)"},
     Topic{
+        "models", "What derive writes",
+        R"(  -o town.obj     Wavefront OBJ with its .mtl: an object a building, a group a symbol, polygons kept
+  -o town.glb     glTF 2.0 in one file, textures in it
+  -o town.gltf    glTF 2.0 as text, with town.bin and textures beside it
+
+In glTF every building is a node with its id, style and the footprint's attributes as extras; below it is a
+node for each symbol. Metres, y up, colours linear. Textures are PNG or JPEG. A .glb holds at most 4 GB.)"},
+    Topic{
         "files", "Where imports, meshes and textures are looked for",
         R"(  import "parts.style"             beside the importing file, in --style-path, in the library
                                    It stands at the top of a script, which then knows that one's styles:

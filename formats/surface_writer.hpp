@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geometry/mesh.hpp"
+#include "interpreter/footprint.hpp"
 
 namespace mansard {
 
@@ -21,6 +22,8 @@ struct Look {
 struct NamedSurface {
   std::string_view id;  ///< of the building
   const Surface* surface = nullptr;
+  std::string_view style = {};                ///< for formats that can tell
+  std::span<const Property> properties = {};  ///< of the footprint, likewise
 };
 
 enum class Up : uint8_t { y, z };
@@ -41,5 +44,10 @@ class SurfaceWriter {
 /// `comment` stands in the head of the file (origin, seed, style).
 std::unique_ptr<SurfaceWriter> write_obj(const std::string& path, Up up,
                                          const std::string& comment);
+
+/// glTF 2.0: .glb in one file with its textures, .gltf with a .bin and textures beside it. A node a
+/// building, with its id, style and properties as extras; below it a node a symbol, whose mesh has
+/// a primitive a look. Metres, y up; looks that are not used are left out.
+std::unique_ptr<SurfaceWriter> write_gltf(const std::string& path, const std::string& comment);
 
 }  // namespace mansard
