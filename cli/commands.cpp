@@ -22,6 +22,12 @@ constexpr Flag where_flag{"--where", "CONDITION",
                           "only footprints for which this SQL condition holds"};
 constexpr Flag select_flag{"--select", "id=ID", "only this footprint", true};
 constexpr Flag limit_flag{"--limit", "N", "only the first N footprints"};
+constexpr Flag streets_flag{"--streets", "FILE",
+                            "lines of streets, of a GIS file or WKT:LINESTRING(...): the walls "
+                            "that look at one are street walls"};
+constexpr Flag streets_layer_flag{"--streets-layer", "NAME", "the layer of that file to read"};
+constexpr Flag streets_where_flag{"--streets-where", "CONDITION",
+                                  "only streets for which this SQL condition holds"};
 constexpr Flag lod_flag{"--lod", "N",
                         "level of detail: 1 masses, 2 without relief, 3 everything (default)"};
 constexpr Flag depth_flag{"--max-depth", "N", "how deep a shape tree may grow (default 1000)"};
@@ -36,6 +42,7 @@ constexpr Flag threads_flag{"--threads", "N", "how many threads (default: all)"}
 
 constexpr std::array variation_flags{style_flag, seed_flag, set_flag, attr_flag, lod_flag};
 constexpr std::array one_plot_flags{select_flag, id_flag, layer_flag, where_flag};
+constexpr std::array street_flags{streets_flag, streets_layer_flag, streets_where_flag};
 constexpr std::array plots_flags{select_flag, limit_flag, id_flag, layer_flag, where_flag};
 constexpr std::array derivation_flags{path_flag, depth_flag, shapes_flag, strict_flag};
 constexpr std::array printing_flags{json_flag, quiet_flag, color_flag};
@@ -60,7 +67,7 @@ constexpr auto joined(const Parts&... parts) {
 constexpr auto derive_flags =
     joined(Flag{"-o,--output", "OUT",
                 "the model to write; its ending says the format: .obj, .glb or .gltf"},
-           variation_flags, threads_flag, plots_flags,
+           variation_flags, threads_flag, plots_flags, street_flags,
            Flag{"--report", "FILE.json", "counts, areas and report() values"},
            Flag{"--up", "y|z", "which axis points up in an .obj (default y)"}, derivation_flags,
            keep_flag, printing_flags);
@@ -75,7 +82,7 @@ constexpr auto explain_flags = joined(
     Flag{"--footprint", "FOOTPRINTS", "whose properties and draws decide: a file, or rect:10x8"},
     seed_flag, one_plot_flags, path_flag, printing_flags);
 constexpr auto tree_flags =
-    joined(variation_flags, one_plot_flags,
+    joined(variation_flags, one_plot_flags, street_flags,
            Flag{"--symbol", "NAME", "only what hangs below shapes of this symbol"},
            Flag{"--depth", "N", "only this many levels"}, Flag{"--dot", "", "a graph for Graphviz"},
            Flag{"--rounds", "", "what shapes asked about others, what came of it and why"},
@@ -84,7 +91,7 @@ constexpr auto render_flags = joined(
     Flag{"-o,--output", "PICTURE.png", "the picture to write"},
     Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: eye and target in metres"},
     Flag{"--size", "WxH", "pixels (default 1200x800)"}, variation_flags, threads_flag, plots_flags,
-    derivation_flags, keep_flag, printing_flags);
+    street_flags, derivation_flags, keep_flag, printing_flags);
 constexpr auto vary_flags = joined(
     Flag{"-o,--output", "SHEET.png", "the contact sheet to write"},
     Flag{"--count", "N", "this many seeds, from --seed on (default 12 when nothing else varies)"},
@@ -97,7 +104,7 @@ constexpr auto vary_flags = joined(
          "writes each variation there too, as a model and as a style of three lines"},
     Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: the same for all pictures"},
     Flag{"--size", "WxH", "pixels of each picture (default 400x300)"}, variation_flags,
-    threads_flag, plots_flags, derivation_flags,
+    threads_flag, plots_flags, street_flags, derivation_flags,
     Flag{"--keep-going", "", "a picture that fails says why, the others are drawn; exit with 1"},
     printing_flags);
 constexpr std::array help_flags{json_flag};

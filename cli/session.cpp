@@ -2,12 +2,17 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "formats/meshes.hpp"
+#include "formats/streets.hpp"
+#include "interpreter/messages.hpp"
 #include "interpreter/properties.hpp"
+#include "interpreter/street_edges.hpp"
 
 namespace mansard {
 
@@ -128,6 +133,46 @@ FootprintOptions footprint_options(const Arguments& arguments) {
   return options;
 }
 
+namespace {
+
+/// A file of another place gives no wall a street, and nobody would see why.
+void check_near(const Session& session, const std::string& what,
+                const std::vector<StreetLine>& lines, const FootprintSet& set) {
+  const Streets streets(lines);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Footprint& footprint : set.footprints) {
+    for (const Vec2 p : footprint.polygon.points) {
+      if (const auto near = streets.nearest(p, p, nearest)) nearest = near->distance;
+      if (nearest <= street_reach) return;
+    }
+  }
+  Diagnostic d;
+  d.severity = Severity::warning;
+  d.text =
+      "no street of '" + what + "' comes within " + number_text(street_reach) + " m of a footprint";
+  if (std::isfinite(nearest))
+    d.text += ": the nearest is " + number_text(std::round(nearest)) + " m away";
+  d.help = "are they of the same place, in the same coordinates?";
+  session.print(d);
+}
+
+std::vector<StreetLine> streets(const Session& session, const FootprintSet& set,
+                                const Arguments& arguments) {
+  const auto what = arguments.value("--streets");
+  for (const char* const flag : {"--streets-layer", "--streets-where"}) {
+    if (!what && arguments.has(flag))
+      throw UsageError(std::string(flag) + " is about the file of --streets, which is missing");
+  }
+  if (!what) return {};
+  StreetSet read = read_streets(
+      *what, {arguments.text("--streets-layer", ""), arguments.text("--streets-where", "")}, set);
+  for (const std::string& note : read.notes) session.say("note: streets: " + note);
+  check_near(session, *what, read.lines, set);
+  return std::move(read.lines);
+}
+
+}  // namespace
+
 FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
                         std::size_t& failed) {
   // Party walls are marked before neighbours are taken away.
@@ -135,7 +180,7 @@ FootprintSet footprints(const Session& session, const std::string& what, const A
   const auto select = std::exchange(options.select, {});
   const std::size_t limit = std::exchange(options.limit, 0);
   FootprintSet set = read_footprints(what, options);
-  mark_neighbours(set.footprints);
+  mark_neighbours(set.footprints, streets(session, set, arguments));
   choose_footprints(set, select, limit);
   if (session.compiled()) {
     for (const Diagnostic& d : misnamed_properties(session.program(), set.footprints)) {

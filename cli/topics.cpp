@@ -111,7 +111,9 @@ mass behind a face never covers it. Pieces thinner than 1 cm do not count (6 cm 
   a label       what label(name) names, and the solids derived from it
 
 Shape.occ(set, "distance", d) counts what stands within d metres before the face. inside(set) means "full",
-overlaps(set) not "none", touches(set) that a solid ends in the face's plane. occluder(false) makes solids
+overlaps(set) not "none", touches(set) that a solid ends in the face's plane. Shape.visible(set) says
+whether the nearest solid of the set is seen, nearest(set) how many metres away it is; both also
+take "street", the lines of --streets. occluder(false) makes solids
 that cover nothing.
 
 A shape whose rules ask waits until nothing else is left; all that wait see the same building and are answered

@@ -4,17 +4,18 @@
 #include "formats/module.hpp"
 
 namespace mansard {
+namespace {
 
-RawSet read_gis(const std::string& path, const FootprintOptions& options) {
+RawSet read(const GisRequest& request) {
   RawSet set;
   GisProblem problem;
   std::string missing;
-  const auto read = reinterpret_cast<decltype(&mansard_read_gis)>(
+  const auto door = reinterpret_cast<decltype(&mansard_read_gis)>(
       module_symbol("mansard_gis", "mansard_read_gis", missing));
-  if (read == nullptr) {
+  if (door == nullptr) {
     problem.text = "can not load the reader of GIS files";
     problem.detail = missing;
-  } else if (read({path, options.layer, options.where, options.id}, set, problem)) {
+  } else if (door(request, set, problem)) {
     return set;
   }
   Diagnostic d;
@@ -27,6 +28,18 @@ RawSet read_gis(const std::string& path, const FootprintOptions& options) {
     d.help = "did you mean '" + std::string(*near) + "'?" + (d.help.empty() ? "" : " ") + d.help;
   }
   throw Failure(std::move(d));
+}
+
+}  // namespace
+
+RawSet read_gis(const std::string& path, const FootprintOptions& options) {
+  return read({path, options.layer, options.where, options.id});
+}
+
+RawSet read_gis_lines(const std::string& path, const StreetOptions& options,
+                      const FootprintSet& beside) {
+  return read(
+      {path, options.layer, options.where, "", GisRequest::Beside{beside.reference, beside.shift}});
 }
 
 }  // namespace mansard

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/footprints.hpp"
+#include "formats/streets.hpp"
 #include "geometry/vector.hpp"
 
 namespace mansard {
@@ -27,6 +28,7 @@ struct RawSet {
   std::vector<FootprintNote> notes;  ///< about the set; their id is empty
   std::string origin = "local metres";
   Vec2 shift;
+  Georeference reference;
   bool rings_close = false;  ///< rings end with their first point, by the format's rules
 };
 
@@ -40,10 +42,21 @@ std::string literal_forms();
 /// Failure that quotes where it went wrong.
 std::vector<RawPolygon> read_wkt(std::string_view text);
 
+/// Well-known text: LINESTRING and MULTILINESTRING; as above.
+std::vector<RawRing> read_wkt_lines(std::string_view text);
+
 /// Every face of an OBJ (u = x, v = -z). Throws Failure.
 RawSet read_obj_footprints(const std::string& path);
 
 /// Everything GDAL knows. Throws Failure.
 RawSet read_gis(const std::string& path, const FootprintOptions& options);
+
+/// The lines of a file that GDAL knows, in the local metres of `beside`; each is a feature of one
+/// part with one ring, which is open. Throws Failure.
+RawSet read_gis_lines(const std::string& path, const StreetOptions& options,
+                      const FootprintSet& beside);
+
+/// Throws Failure unless `what` is a file; `content` says what it should hold, "footprints".
+void check_is_file(const std::string& what, std::string_view content, const std::string& forms);
 
 }  // namespace mansard

@@ -44,8 +44,8 @@ std::string nearest_beside(const fs::path& missing) {
   return near ? std::string(*near) : std::string();
 }
 
-[[noreturn]] void fail_missing(const std::string& what) {
-  std::string help = what.find_first_of(":(") != what.npos ? "or write " + literal_forms() : "";
+[[noreturn]] void fail_missing(const std::string& what, const std::string& forms) {
+  std::string help = what.find_first_of(":(") != what.npos ? "or write " + forms : "";
   if (!what.empty() && what.find_first_not_of("0123456789.x") == what.npos &&
       what.find('x') != what.npos)
     help = "a rectangle is written rect:" + what;
@@ -56,17 +56,8 @@ std::string nearest_beside(const fs::path& missing) {
 
 RawSet read_raw(const std::string& what, const FootprintOptions& options) {
   if (std::optional<RawSet> literal = read_literal(what)) return std::move(*literal);
-  std::error_code error;
-  const fs::file_status status = fs::status(what, error);
-  if (!fs::exists(status)) fail_missing(what);
-  const std::string ending = lower_ending(what);
-  if (fs::is_directory(status) && ending != ".gdb") {
-    fail("'" + what + "' is a folder, not a file of footprints");
-  }
-  if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
-    fail("'" + what + "' is a device or a pipe, not a file of footprints");
-  }
-  return ending == ".obj" ? read_obj_footprints(what) : read_gis(what, options);
+  check_is_file(what, "footprints", literal_forms());
+  return lower_ending(what) == ".obj" ? read_obj_footprints(what) : read_gis(what, options);
 }
 
 /// Hands out ids that nobody else has: a, a:2, a:3.
@@ -105,6 +96,7 @@ class Building {
     set_.notes = std::move(raw_.notes);
     set_.origin = raw_.origin;
     set_.shift = raw_.shift;
+    set_.reference = std::move(raw_.reference);
   }
 
   FootprintSet footprints() {
@@ -178,6 +170,19 @@ void check_choice(const FootprintSet& set, const std::string& choice) {
 }
 
 }  // namespace
+
+void check_is_file(const std::string& what, std::string_view content, const std::string& forms) {
+  std::error_code error;
+  const fs::file_status status = fs::status(what, error);
+  if (!fs::exists(status)) fail_missing(what, forms);
+  const std::string no_file = ", not a file of " + std::string(content);
+  if (fs::is_directory(status) && lower_ending(what) != ".gdb") {
+    fail("'" + what + "' is a folder" + no_file);
+  }
+  if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
+    fail("'" + what + "' is a device or a pipe" + no_file);
+  }
+}
 
 FootprintSet read_footprints(const std::string& what, const FootprintOptions& options) {
   FootprintSet set = Building(read_raw(what, options), options).footprints();

@@ -27,11 +27,19 @@ struct FootprintNote {
   bool broken = false;
 };
 
+/// What local metres mean: WKT (ISO 19162) of the file's coordinate system and of the one in which
+/// `unit` metres, less the shift, are local metres; empty: nobody said.
+struct Georeference {
+  std::string given, local;
+  double unit = 1;
+};
+
 struct FootprintSet {
   std::vector<Footprint> footprints;
   std::vector<FootprintNote> notes;
   std::string origin;  ///< how to get back: "local metres about lon 24.94, lat 60.17 (EPSG:4326)"
   Vec2 shift;          ///< projected input: what was subtracted
+  Georeference reference;
 };
 
 /// `what` is a path, or a literal: `rect:10x8`, `L:12x9x5x4`, `T:…`, `U:…`, `ring:…`, `WKT:…`.

@@ -53,6 +53,27 @@ bool add_areas(const OGRGeometry& geometry, std::vector<RawPolygon>& to) {
   return false;
 }
 
+/// The lines of any geometry; false when it has none.
+bool add_lines(const OGRGeometry& geometry, std::vector<RawPolygon>& to) {
+  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+  if (geometry.hasCurveGeometry()) {
+    const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+    return straight && add_lines(*straight, to);
+  }
+  if (OGR_GT_IsSubClassOf(type, wkbLineString)) {
+    const OGRLineString& line = *geometry.toLineString();
+    RawRing& points = to.emplace_back().emplace_back();
+    for (int i = 0; i < line.getNumPoints(); ++i) points.push_back({line.getX(i), line.getY(i)});
+    return true;
+  }
+  bool any = false;
+  if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
+    for (const OGRGeometry* part : *geometry.toGeometryCollection())
+      any = add_lines(*part, to) || any;
+  }
+  return any;
+}
+
 std::string as_text(const PropertyValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
@@ -74,9 +95,12 @@ std::string first_of(const std::vector<Property>& properties,
 
 }  // namespace
 
-GisFeatures::GisFeatures(const OGRFeatureDefn& fields, bool has_ids, std::string id_name,
-                         std::string prefix)
-    : has_ids_(has_ids), id_name_(std::move(id_name)), prefix_(std::move(prefix)) {
+GisFeatures::GisFeatures(GisGeometry geometry, const OGRFeatureDefn& fields, bool has_ids,
+                         std::string id_name, std::string prefix)
+    : geometry_(geometry),
+      has_ids_(has_ids),
+      id_name_(std::move(id_name)),
+      prefix_(std::move(prefix)) {
   for (int i = 0; i < fields.GetFieldCount(); ++i) {
     const OGRFieldDefn& field = *fields.GetFieldDefn(i);
     const OGRFieldType type = field.GetType();
@@ -92,8 +116,10 @@ void GisFeatures::add(const OGRFeature& feature, RawSet& to) {
   ++place_;
   RawFeature raw;
   if (const OGRGeometry* geometry = feature.GetGeometryRef()) {
-    if (!add_areas(*geometry, raw.parts)) {
-      ++no_areas_;
+    const bool is_one = geometry_ == GisGeometry::areas ? add_areas(*geometry, raw.parts)
+                                                        : add_lines(*geometry, raw.parts);
+    if (!is_one) {
+      ++others_;
       return;
     }
     has_heights_ = has_heights_ || geometry->Is3D();

@@ -12,17 +12,22 @@ class OGRFeatureDefn;
 
 namespace mansard {
 
+enum class GisGeometry { areas, lines };
+
 /// Converts the features of one layer.
 class GisFeatures {
  public:
   /// `id_name`: the property that identifies a feature; empty: osm_id, the feature id (when
   /// `has_ids`), id, else the place in the file. `prefix` goes before every id.
-  GisFeatures(const OGRFeatureDefn& fields, bool has_ids, std::string id_name, std::string prefix);
+  GisFeatures(GisGeometry geometry, const OGRFeatureDefn& fields, bool has_ids, std::string id_name,
+              std::string prefix);
 
-  /// Appends the feature, in the file's coordinates, unless it is no area (a point or a line).
+  /// Appends the feature, in the file's coordinates, unless its geometry is another. A line is a
+  /// part with one open ring.
   void add(const OGRFeature& feature, RawSet& to);
 
-  std::size_t points_and_lines() const { return no_areas_; }
+  /// Features of another geometry.
+  std::size_t others() const { return others_; }
   bool has_heights() const { return has_heights_; }
   /// Features without the property `id_name`.
   std::size_t without_id() const { return without_id_; }
@@ -36,10 +41,11 @@ class GisFeatures {
     std::string name;
     Kind kind;
   };
+  GisGeometry geometry_;
   std::vector<Field> fields_;
   bool has_ids_;
   std::string id_name_, prefix_;
-  std::size_t place_ = 0, no_areas_ = 0, without_id_ = 0;
+  std::size_t place_ = 0, others_ = 0, without_id_ = 0;
   bool has_heights_ = false;
 };
 

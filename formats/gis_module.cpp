@@ -46,15 +46,38 @@ void configure() {
   CPLSetThreadLocalConfigOption("SHAPE_RESTORE_SHX", "YES");  // a .shp without its index
 }
 
+/// What is read, in the user's words, and where OpenStreetMap has it.
+struct Words {
+  std::string wanted, one, shapes, others, osm_layer, osm_condition, osm_tag;
+};
+
+const Words footprint_words{"footprints",
+                            "footprint",
+                            "areas",
+                            "points and lines",
+                            "multipolygons",
+                            "building IS NOT NULL AND building <> 'no'",
+                            "no closed way or relation is tagged 'building'"};
+const Words street_words{
+    "streets",
+    "street",
+    "lines",
+    "points and areas",
+    "lines",
+    "highway IN ('trunk', 'primary', 'secondary', 'tertiary', 'unclassified', 'residential', "
+    "'living_street', 'pedestrian', 'road', 'trunk_link', 'primary_link', 'secondary_link', "
+    "'tertiary_link') AND (tunnel IS NULL OR tunnel IN ('no', 'building_passage'))",
+    "no way is tagged 'highway' as a road for all or for pedestrians"};
+
 class Reader {
  public:
-  Reader(const GisRequest& request, RawSet& set) : request_(request), set_(set) {
+  Reader(const GisRequest& request, RawSet& set)
+      : request_(request), set_(set), words_(request.beside ? street_words : footprint_words) {
     data_.reset(GDALDataset::Open(request.path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
     if (!data_) {
-      fail("can not read footprints from '" + request.path + "'",
-           "GeoJSON, Shapefile, GeoPackage, FlatGeobuf, OpenStreetMap (.osm, .pbf), OBJ and "
-           "whatever "
-           "else GDAL knows will do",
+      fail("can not read " + words_.wanted + " from '" + request.path + "'",
+           "GeoJSON, Shapefile, GeoPackage, FlatGeobuf, OpenStreetMap (.osm, .pbf), " +
+               std::string(request.beside ? "" : "OBJ ") + "and whatever else GDAL knows will do",
            messages_);
     }
     driver_ = data_->GetDriverName();
@@ -65,18 +88,22 @@ class Reader {
     for (OGRLayer* layer : chosen_layers()) read(*layer);
     if (set_.features.empty()) fail_empty();
     if (heights_) set_.notes.push_back({"", "heights (Z) of the points are ignored", false});
-    if (no_areas_ > 0) {
+    if (others_ > 0) {
       set_.notes.push_back(
-          {"", std::to_string(no_areas_) + " points and lines are left out", false});
+          {"", std::to_string(others_) + " " + words_.others + " are left out", false});
     }
     check_ids();
     messages_.clear();
-    const std::string problem = to_local_metres(set_, ranges_, driver_ == "GeoJSON");
+    const bool guessed = driver_ == "GeoJSON";
+    const std::string problem = request_.beside
+                                    ? to_metres_of(*request_.beside, set_, ranges_, guessed)
+                                    : to_local_metres(set_, ranges_, guessed);
     if (!problem.empty()) fail(problem, "", messages_);
   }
 
  private:
   bool is_osm() const { return driver_ == "OSM"; }
+  bool can_hold_wanted(OGRLayer& layer) const;
   std::vector<OGRLayer*> chosen_layers();
   void read(OGRLayer& layer);
   void read_filtered(OGRLayer& layer, bool has_ids);
@@ -84,33 +111,36 @@ class Reader {
   bool gives_numbers(OGRLayer& layer) const;
   void check_ids();
   [[noreturn]] void fail_empty();
-  [[noreturn]] void fail_no_areas();
+  [[noreturn]] void fail_others();
 
   const GisRequest& request_;
   RawSet& set_;
+  const Words& words_;
   Messages messages_;
   GDALDatasetUniquePtr data_;
   std::string driver_;
   std::vector<GisRange> ranges_;
   std::vector<std::unique_ptr<OGRSpatialReference>> systems_;
   bool several_layers_ = false, heights_ = false;
-  std::size_t no_areas_ = 0, without_id_ = 0;
+  std::size_t others_ = 0, without_id_ = 0;
 };
 
-bool can_hold_areas(OGRLayer& layer) {
+bool Reader::can_hold_wanted(OGRLayer& layer) const {
   const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
-  return type == wkbUnknown || OGR_GT_IsSubClassOf(type, wkbSurface) ||
-         OGR_GT_IsSubClassOf(type, wkbMultiSurface) || type == wkbGeometryCollection;
+  if (type == wkbUnknown || type == wkbGeometryCollection) return true;
+  const auto one = request_.beside ? wkbCurve : wkbSurface;
+  const auto several = request_.beside ? wkbMultiCurve : wkbMultiSurface;
+  return OGR_GT_IsSubClassOf(type, one) || OGR_GT_IsSubClassOf(type, several);
 }
 
 std::vector<OGRLayer*> Reader::chosen_layers() {
   std::string wanted = request_.layer;
-  if (wanted.empty() && is_osm()) wanted = "multipolygons";
+  if (wanted.empty() && is_osm()) wanted = words_.osm_layer;
   std::vector<OGRLayer*> layers;
   std::vector<std::string> names;
   for (OGRLayer* layer : data_->GetLayers()) {
     names.emplace_back(layer->GetName());
-    if (wanted.empty() ? can_hold_areas(*layer) : names.back() == wanted) layers.push_back(layer);
+    if (wanted.empty() ? can_hold_wanted(*layer) : names.back() == wanted) layers.push_back(layer);
   }
   if (layers.empty() && !wanted.empty()) {
     std::string list;
@@ -118,7 +148,7 @@ std::vector<OGRLayer*> Reader::chosen_layers() {
     throw Failed{{"'" + request_.path + "' has no layer '" + wanted + "'", "its layers are " + list,
                   "", wanted, names}};
   }
-  if (layers.empty() && !names.empty()) fail_no_areas();
+  if (layers.empty() && !names.empty()) fail_others();
   several_layers_ = layers.size() > 1;
   return layers;
 }
@@ -143,7 +173,8 @@ void Reader::read(OGRLayer& layer) {
 
 std::string Reader::osm_query(OGRLayer& layer) const {
   std::string conditions;
-  if (request_.layer.empty()) conditions = "building IS NOT NULL AND building <> 'no'";
+  const bool usual = request_.layer.empty() && (!request_.beside || request_.where.empty());
+  if (usual) conditions = words_.osm_condition;
   if (!request_.where.empty()) {
     conditions += (conditions.empty() ? "(" : " AND (") + request_.where + ")";
   }
@@ -169,7 +200,8 @@ void Reader::read_filtered(OGRLayer& layer, bool has_ids) {
     systems_.emplace_back(crs->Clone());
     range.crs = systems_.back().get();
   }
-  GisFeatures features(*layer.GetLayerDefn(), has_ids, request_.id,
+  const auto geometry = request_.beside ? GisGeometry::lines : GisGeometry::areas;
+  GisFeatures features(geometry, *layer.GetLayerDefn(), has_ids, request_.id,
                        several_layers_ ? layer.GetName() + std::string("/") : "");
   messages_.clear();
   layer.ResetReading();
@@ -178,12 +210,12 @@ void Reader::read_filtered(OGRLayer& layer, bool has_ids) {
   }
   if (!messages_.error().empty()) {
     fail("'" + request_.path + "' is damaged: reading stopped after " +
-             std::to_string(set_.features.size() - range.begin) + " footprints",
+             std::to_string(set_.features.size() - range.begin) + " " + words_.wanted,
          "", messages_);
   }
   range.end = set_.features.size();
   if (range.end > range.begin) ranges_.push_back(range);
-  no_areas_ += features.points_and_lines();
+  others_ += features.others();
   without_id_ += features.without_id();
   heights_ = heights_ || features.has_heights();
 }
@@ -206,21 +238,21 @@ void Reader::check_ids() {
   throw Failed{{"no footprint has a property '" + request_.id + "'", "", "", request_.id, names}};
 }
 
-void Reader::fail_no_areas() {
+void Reader::fail_others() {
   messages_.clear();
-  fail("'" + request_.path + "' has no areas, only points and lines", "footprints are polygons",
-       messages_);
+  fail("'" + request_.path + "' has no " + words_.shapes + ", only " + words_.others,
+       request_.beside ? "streets are lines" : "footprints are polygons", messages_);
 }
 
 void Reader::fail_empty() {
   messages_.clear();
   if (!request_.where.empty()) {
-    fail("no footprint of '" + request_.path + "' fulfils '" + request_.where + "'", "", messages_);
+    fail("no " + words_.one + " of '" + request_.path + "' fulfils '" + request_.where + "'", "",
+         messages_);
   }
-  if (no_areas_ > 0) fail_no_areas();
-  fail("'" + request_.path + "' has no footprints",
-       is_osm() && request_.layer.empty() ? "no closed way or relation is tagged 'building'" : "",
-       messages_);
+  if (others_ > 0) fail_others();
+  fail("'" + request_.path + "' has no " + words_.wanted,
+       is_osm() && request_.layer.empty() ? words_.osm_tag : "", messages_);
 }
 
 }  // namespace

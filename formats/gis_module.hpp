@@ -1,6 +1,7 @@
 // The door of the module mansard_gis, the only part that knows GDAL and PROJ. No exception passes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@ namespace mansard {
 
 struct GisRequest {
   std::string path, layer, where, id;  ///< as in FootprintOptions
+  /// Lines beside footprints: where those are. Without, areas are read.
+  struct Beside {
+    Georeference reference;
+    Vec2 shift;
+  };
+  std::optional<Beside> beside{};
 };
 
 /// Why nothing could be read.

@@ -15,7 +15,7 @@ attributes=name
 other_tags=yes
 [lines]
 osm_id=yes
-attributes=name,highway
+attributes=name,highway,tunnel
 other_tags=yes
 [multipolygons]
 osm_id=yes

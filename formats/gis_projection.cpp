@@ -1,5 +1,6 @@
 #include "formats/gis_projection.hpp"
 
+#include <cpl_conv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
@@ -99,6 +100,22 @@ std::string name_of(const OGRSpatialReference& crs) {
   return name != nullptr ? name : "unnamed coordinate system";
 }
 
+std::string wkt_of(const OGRSpatialReference& crs) {
+  constexpr std::array<const char*, 2> options{"FORMAT=WKT2_2019", nullptr};
+  char* text = nullptr;
+  crs.exportToWkt(&text, options.data());
+  std::string wkt = text != nullptr ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
+OGRSpatialReference from_wkt(const std::string& wkt) {
+  OGRSpatialReference crs;
+  crs.importFromWkt(wkt.c_str());
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
 std::string format(const char* pattern, double a, double b) {
   std::array<char, 100> text;
   std::snprintf(text.data(), text.size(), pattern, a, b);
@@ -183,6 +200,7 @@ std::string to_equidistant(RawSet& set, const std::vector<GisRange>& ranges, Vec
     if (!to_local) return "can not convert " + name_of(*range.crs) + " to metres";
     for_each_ring(set, range.begin, range.end, [&](RawRing& ring) { transform(*to_local, ring); });
   }
+  set.reference = {wkt_of(first), wkt_of(local), 1};
   set.origin = format("local metres about lon %.4f, lat %.4f (", lon_lat.x, lon_lat.y) +
                name_of(first) + ", azimuthal equidistant)";
   return {};
@@ -227,12 +245,45 @@ std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool gues
     const Vec2 at = median(samples(set, 0, set.features.size()));
     if (is_true(*crs, unit, at, *lon_lat)) {
       shift(set, unit, true);
+      set.reference = {wkt_of(*crs), wkt_of(*crs), unit};
       set.origin = name_of(*crs) + (unit == 1 ? "" : " in metres") +
                    format(" less (%.0f, %.0f)", set.shift.x, set.shift.y);
       return {};
     }
   }
   return to_equidistant(set, ranges, *lon_lat);
+}
+
+std::string to_metres_of(const GisRequest::Beside& beside, RawSet& set,
+                         const std::vector<GisRange>& ranges, bool guessed) {
+  const auto moved = [&](const GisRange& range) {
+    for_each_ring(set, range.begin, range.end, [&](RawRing& line) {
+      for (Vec2& p : line) p = p * beside.reference.unit - beside.shift;
+    });
+  };
+  const auto is_known = [&](const GisRange& range) {
+    if (range.crs == nullptr || range.crs->IsLocal()) return false;
+    return !(guessed && range.crs->IsGeographic() && can_not_be_degrees(set));
+  };
+  if (beside.reference.local.empty()) {
+    for (const GisRange& range : ranges) {
+      if (is_known(range) && !guessed)
+        return "the streets are in " + name_of(*range.crs) +
+               ", and the footprints have no coordinate system";
+      moved(range);
+    }
+    return {};
+  }
+  const OGRSpatialReference given = from_wkt(beside.reference.given);
+  const OGRSpatialReference local = from_wkt(beside.reference.local);
+  for (const GisRange& range : ranges) {
+    const OGRSpatialReference& crs = is_known(range) ? *range.crs : given;
+    const Transformation to_local = transformation(crs, local);
+    if (!to_local) return "can not convert " + name_of(crs) + " to metres";
+    for_each_ring(set, range.begin, range.end, [&](RawRing& line) { transform(*to_local, line); });
+    moved(range);
+  }
+  return {};
 }
 
 }  // namespace mansard

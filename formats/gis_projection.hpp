@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formats/footprint_sources.hpp"
+#include "formats/gis_module.hpp"
 
 class OGRSpatialReference;
 
@@ -26,5 +27,10 @@ struct GisRange {
 /// of 1 + d^2/6R^2, 4e-7 at 10 km; transverse Mercator by 1 + d^2/R^2 across, Snyder 1987).
 /// `guessed` says that the file's format, not the file, gave the coordinate system (GeoJSON).
 std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool guessed);
+
+/// The same for lines beside footprints, whose local metres are given. Coordinates that nobody
+/// explains are those of the footprints' file.
+std::string to_metres_of(const GisRequest::Beside& beside, RawSet& set,
+                         const std::vector<GisRange>& ranges, bool guessed);
 
 }  // namespace mansard

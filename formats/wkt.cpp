@@ -1,5 +1,5 @@
-// A reader of well-known text, small because footprints are polygons only; OGR's would not say
-// where the text goes wrong.
+// A reader of well-known text, small because footprints are polygons and streets lines; OGR's would
+// not say where the text goes wrong.
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -11,29 +11,55 @@ namespace {
 
 class Wkt {
  public:
-  explicit Wkt(std::string_view text) : text_(text) {}
+  Wkt(std::string_view text, std::string_view form) : text_(text), form_(form) {}
+
+  std::vector<RawRing> read_lines() {
+    const std::string kind = word();
+    skip_dimensions();
+    if (kind != "LINESTRING" && kind != "MULTILINESTRING") {
+      fail("is '" + kind + "', not a LINESTRING or MULTILINESTRING");
+    }
+    std::vector<RawRing> lines;
+    const auto line = [&] {
+      RawRing& points = lines.emplace_back();
+      in_brackets([&] { points.push_back(point()); });
+    };
+    if (kind == "LINESTRING") {
+      line();
+    } else {
+      in_brackets(line);
+    }
+    check_end();
+    return lines;
+  }
 
   std::vector<RawPolygon> read() {
     const std::string kind = word();
-    std::string dimensions = word();
-    if (dimensions == "Z" || dimensions == "M" || dimensions == "ZM") dimensions = word();
+    skip_dimensions();
     if (kind != "POLYGON" && kind != "MULTIPOLYGON") {
       fail("is '" + kind + "', not a POLYGON or MULTIPOLYGON");
     }
-    if (dimensions == "EMPTY") fail("is empty");
-    if (!dimensions.empty()) expect('(');
     std::vector<RawPolygon> polygons;
     if (kind == "POLYGON") {
       polygons.push_back(polygon());
     } else {
       in_brackets([&] { polygons.push_back(polygon()); });
     }
-    skip_space();
-    if (at_ < text_.size()) fail("goes on after its end: " + here());
+    check_end();
     return polygons;
   }
 
  private:
+  void skip_dimensions() {
+    std::string dimensions = word();
+    if (dimensions == "Z" || dimensions == "M" || dimensions == "ZM") dimensions = word();
+    if (dimensions == "EMPTY") fail("is empty");
+    if (!dimensions.empty()) expect('(');
+  }
+  void check_end() {
+    skip_space();
+    if (at_ < text_.size()) fail("goes on after its end: " + here());
+  }
   /// "(" item {"," item} ")"
   template <class Item>
   void in_brackets(Item item) {
@@ -104,18 +130,28 @@ class Wkt {
   [[noreturn]] void fail(const std::string& problem) const {
     Diagnostic d;
     d.text = "'WKT:" + shortened(text_) + "' " + problem;
-    d.help =
-        "write WKT:POLYGON((0 0, 10 0, 10 8, 0 8, 0 0)), in metres; a court is a second ring, "
-        "several buildings are a MULTIPOLYGON(((...)), ((...)))";
+    d.help = form_;
     throw Failure(std::move(d));
   }
 
-  std::string_view text_;
+  std::string_view text_, form_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-std::vector<RawPolygon> read_wkt(std::string_view text) { return Wkt(text).read(); }
+std::vector<RawPolygon> read_wkt(std::string_view text) {
+  return Wkt(text,
+             "write WKT:POLYGON((0 0, 10 0, 10 8, 0 8, 0 0)), in metres; a court is a second ring, "
+             "several buildings are a MULTIPOLYGON(((...)), ((...)))")
+      .read();
+}
+
+std::vector<RawRing> read_wkt_lines(std::string_view text) {
+  return Wkt(text,
+             "write WKT:LINESTRING(-5 -4, 15 -4), in metres; several streets are a "
+             "MULTILINESTRING((...), (...))")
+      .read_lines();
+}
 
 }  // namespace mansard

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace mansard {
@@ -57,7 +58,8 @@ void BoxIndex::add_node(uint32_t begin, uint32_t end) {
   add_node(half, end);
 }
 
-void BoxIndex::near(const Box3& box, std::vector<uint32_t>& found) const {
+template <class Meets>
+void BoxIndex::collect(Meets meets, std::vector<uint32_t>& found) const {
   found.clear();
   if (nodes_.empty()) return;
   std::array<uint32_t, 64> open;  // halving: never deeper than 32
@@ -66,17 +68,55 @@ void BoxIndex::near(const Box3& box, std::vector<uint32_t>& found) const {
   while (depth > 0) {
     const uint32_t number = open[--depth];
     const Node& node = nodes_[number];
-    if (!meet(node.box, box)) continue;
+    if (!meets(node.box)) continue;
     if (node.right != 0) {
       open[depth++] = node.right;
       open[depth++] = number + 1;
       continue;
     }
     for (uint32_t i = node.begin; i < node.end; ++i) {
-      if (meet(boxes_[order_[i]], box)) found.push_back(order_[i]);
+      if (meets(boxes_[order_[i]])) found.push_back(order_[i]);
     }
   }
   std::sort(found.begin(), found.end());
+}
+
+void BoxIndex::near(const Box3& box, std::vector<uint32_t>& found) const {
+  collect([&](const Box3& other) { return meet(other, box); }, found);
+}
+
+/// Slab by slab (Kay & Kajiya 1986).
+void BoxIndex::along(Vec3 from, Vec3 to, std::vector<uint32_t>& found) const {
+  const Vec3 way = to - from;
+  collect(
+      [&](const Box3& box) {
+        double enters = 0, leaves = 1;
+        const auto slab = [&](double low, double high, double start, double by) {
+          if (by == 0) {
+            if (start < low || start > high) leaves = -1;
+            return;
+          }
+          const double a = (low - start) / by, b = (high - start) / by;
+          enters = std::max(enters, std::min(a, b));
+          leaves = std::min(leaves, std::max(a, b));
+        };
+        slab(box.low.x, box.high.x, from.x, way.x);
+        slab(box.low.y, box.high.y, from.y, way.y);
+        slab(box.low.z, box.high.z, from.z, way.z);
+        return enters <= leaves;
+      },
+      found);
+}
+
+void BoxIndex::across(Vec3 normal, double at, std::vector<uint32_t>& found) const {
+  collect(
+      [&](const Box3& box) {
+        const Vec3 middle = (box.low + box.high) * 0.5, half = box.size() * 0.5;
+        const double reach =
+            std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + std::abs(normal.z) * half.z;
+        return std::abs(dot(normal, middle) - at) <= reach + 1e-9;
+      },
+      found);
 }
 
 }  // namespace mansard

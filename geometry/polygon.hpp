@@ -19,6 +19,7 @@ struct EdgeTag {
     street = 4,  ///< free towards a street
     main = 8,    ///< the longest street edge
     cut = 16,    ///< made by a split or clip
+    corner = 32  ///< a street edge that meets another one in an outer corner
   };
   static constexpr uint16_t no_wall = 0xffff;
 

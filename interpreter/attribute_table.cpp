@@ -34,6 +34,8 @@ constexpr std::array attribute_rows{
     AttributeRow{"comp.index", Attribute::comp_index, "Which component of the last comp the shape is, from 0."},
     AttributeRow{"comp.count", Attribute::comp_count, "How many components the last comp made."},
     AttributeRow{"comp.name", Attribute::comp_name, "The selector that chose the shape in the last comp."},
+    AttributeRow{"corner.left", Attribute::corner_left, "The angle in degrees, through the building, with the wall at the left end of the facade; 180 inside it."},
+    AttributeRow{"corner.right", Attribute::corner_right, "The angle in degrees, through the building, with the wall at the right end of the facade; 180 inside it."},
     AttributeRow{"level", Attribute::level, "The part's number in the nearest split along Y."},
     AttributeRow{"index", Attribute::index, "The index of the shape, which SYMBOL[expr] sets and children inherit."},
     AttributeRow{"symbol", Attribute::symbol, "The symbol of the shape."},

@@ -95,6 +95,10 @@ double Machine::attribute_number(Attribute which, const Shape& s) {
       return s.comp_index;
     case Attribute::comp_count:
       return s.comp_count;
+    case Attribute::corner_left:
+      return static_cast<double>(s.corner_left);
+    case Attribute::corner_right:
+      return static_cast<double>(s.corner_right);
     case Attribute::level:
       return s.level;
     case Attribute::index:

@@ -251,8 +251,6 @@ void Compiler::part_label(const Operation& operation, const syntax::Part& part, 
           out.name = program_.symbols.intern(name);
           return;
         }
-        if (is_later_selector(name))
-          refuse(label.at, "selector " + quoted(name) + " comes with a later version of Mansard");
         if (variable_slot(scope.style, scope.block, name) == none &&
             variable_slot(scope.style, {}, name) == none) {
           refuse(label.at, quoted(name) + " selects no components", meant(name, selector_words));

@@ -216,8 +216,9 @@ void Compiler::unknown_name(const syntax::Name& name, const NameScope& scope) {
 
 ExprId Compiler::dotted_name(const syntax::Reference& r, Span at, NameScope& scope) {
   const std::string_view first = r.names[0].text, second = r.names[1].text;
-  if (first == "corner" || first == "Shape") {
-    refuse(at, "'" + std::string(at.text()) + "' comes with a later version of Mansard");
+  if (first == "Shape") {
+    const std::string text(at.text());
+    refuse(at, "'" + text + "' asks about nothing", "write " + text + "(\"all\")");
   }
   if (r.names.size() == 2) {
     const std::string full = qualified(first, second);
@@ -254,7 +255,7 @@ ExprId Compiler::call(const syntax::Call& call, Span at, NameScope& scope) {
     return question(call, at, scope);
   if (call.callee.names.size() == 2 && call.callee.names[0].text == "group")
     return group_question(call, at, scope);
-  if (is_later_operation(name.text) || is_later_question(name.text)) refuse_later(at);
+  if (is_later_operation(name.text)) refuse_later(at);
   const std::string_view own =
       call.callee.names.size() == 2 ? call.callee.names[0].text : scope.block;
   for (const std::string_view block : {own, std::string_view{}}) {

@@ -6,6 +6,8 @@
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/lint/walk.hpp"
+#include "interpreter/sight.hpp"
+#include "interpreter/solid_set.hpp"
 
 namespace mansard {
 
@@ -16,6 +18,12 @@ Asks asked_by(const ExprNode& node) {
 bool is_question(const ExprNode& node) { return asked_by(node) != Asks::nothing; }
 
 namespace {
+
+bool is_corner(const ExprNode& node) {
+  const auto attribute = static_cast<Attribute>(node.aux);
+  return node.kind == ExprKind::attribute &&
+         (attribute == Attribute::corner_left || attribute == Attribute::corner_right);
+}
 
 /// What expressions ask, through the variables and functions that they read: the greatest of Asks.
 class Askers {
@@ -80,6 +88,7 @@ struct Look {
 /// before it is known which is drawn.
 void Compiler::find_waiting() {
   program_.asks = std::ranges::find(program_.nodes, Asks::others, asked_by) != program_.nodes.end();
+  program_.reads_corners = std::ranges::any_of(program_.nodes, is_corner);
   Askers askers(program_);
   // A rule set's super was declared before it.
   for (RuleSet& set : program_.rule_sets) {
@@ -133,8 +142,6 @@ std::optional<uint16_t> Compiler::stage_of(const syntax::Rule& rule) {
   return std::nullopt;
 }
 
-bool is_later_question(std::string_view name) { return name == "visible" || name == "nearest"; }
-
 void refuse_later(Span at) {
   refuse(at, "'" + std::string(at.text()) + "' comes with a later version of Mansard");
 }
@@ -142,7 +149,6 @@ void refuse_later(Span at) {
 /// `Shape.occ(...)`; also `Shape.inside(...)`.
 ExprId Compiler::question(const syntax::Call& call, Span at, NameScope& scope) {
   const syntax::Name& name = call.callee.names[1];
-  if (is_later_question(name.text)) refuse_later(at);
   std::vector<std::string_view> known;
   for (const Function& function : functions()) {
     if (function.asks != Asks::others) continue;
@@ -184,6 +190,14 @@ void Compiler::intern_texts() {
   }
 }
 
+namespace {
+
+bool takes_streets(const Function& question) {
+  return question.name == "Shape.visible" || question.name == "nearest";
+}
+
+}  // namespace
+
 /// Sets and answers that there are not: a comparison with a misspelt word would never hold.
 void Compiler::check_questions() {
   std::vector<std::string_view> labels(occluder_sets.begin(), occluder_sets.end());
@@ -202,7 +216,11 @@ void Compiler::check_questions() {
     if (node.kind == ExprKind::equal || node.kind == ExprKind::unequal)
       attempt_anywhere([&] { check_cover_word(node); });
     const Asks asked = asked_by(node);
-    if (asked == Asks::others && !computed) attempt_anywhere([&] { check_question(id, labels); });
+    if (asked == Asks::others && !computed) {
+      std::vector<std::string_view> known = labels;
+      if (takes_streets(functions()[node.aux])) known.push_back(street_word);
+      attempt_anywhere([&] { check_question(id, known); });
+    }
     if (asked == Asks::group) attempt_anywhere([&] { check_group(id); });
     if (asked == Asks::outcome) attempt_anywhere([&] { check_outcome(id); });
   }
@@ -216,10 +234,11 @@ void Compiler::check_question(ExprId id, std::span<const std::string_view> label
   if (value.type != Type::string || std::ranges::find(labels, value.string()) != labels.end())
     return;
   const std::string help = meant(value.string(), labels);
+  const std::string sets = "\"all\", \"noparent\", \"active\", \"neighbours\", ";
+  const bool streets = labels.back() == street_word;
   refuse(program_.spans[set],
          "\"" + std::string(value.string()) + "\" is no set of shapes, and no label() gives it",
-         help.empty() ? "\"all\", \"noparent\", \"active\", \"neighbours\", or what label() names"
-                      : help);
+         help.empty() ? sets + (streets ? "\"street\", " : "") + "or what label() names" : help);
 }
 
 void Compiler::check_cover_word(const ExprNode& comparison) {

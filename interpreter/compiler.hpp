@@ -212,7 +212,6 @@ class Compiler {
 Asks asked_by(const ExprNode& node);
 bool is_question(const ExprNode& node);
 /// Questions that a later version brings.
-bool is_later_question(std::string_view name);
 [[noreturn]] void refuse_later(Span at);
 [[noreturn]] void refuse(Span at, std::string text, std::string help = {},
                          std::vector<Note> notes = {});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/clip.hpp"
+#include "interpreter/corners.hpp"
 
 namespace mansard {
 namespace {
@@ -24,6 +25,7 @@ Shape piece_of(const Shape& parent, const Scope& scope) {
   piece.uv_frame = Shape::none;
   piece.cuts = 0;
   piece.open = 0;
+  piece.corner_left = piece.corner_right = 180;
   return piece;
 }
 
@@ -52,6 +54,8 @@ Shape box_side(const Shape& box, int side) {
   Shape face = piece_of(box, box_side_scope(box.scope, side));
   if (side != 0) face.tag = {};  // a relief's front is the wall it rose from, its sides are not
   if (box.cuts & (1 << side)) face.tag.flags |= EdgeTag::cut;
+  if (side == 0) face.corner_left = box.corner_left, face.corner_right = box.corner_right;
+  set_box_corners(face, box, side);
   return face;
 }
 
@@ -80,6 +84,8 @@ Shape prism_wall(Machine& machine, const Shape& prism, uint32_t i) {
   Shape wall = piece_of(prism, within(prism.scope, map(polygon.points[i], 0), x, y, z, size));
   wall.tag = polygon.tags[i];
   if (!prism.ground) wall.tag = {static_cast<uint16_t>(wall.tag.flags & EdgeTag::cut)};
+  if (prism.ground && machine.program.reads_corners)
+    set_prism_corners(wall, polygon, map.scaled({1, 1}), i);
   return wall;
 }
 
@@ -122,6 +128,7 @@ Shape face_of(Machine& machine, const Shape& parent, std::span<const Vec3> loop,
   face.form = Form::polygon;
   face.ground = false;
   face.cuts = face.open = 0;
+  face.corner_left = face.corner_right = 180;
   face.tag = tag;
   Polygon polygon;
   const auto add_ring = [&](std::span<const Vec3> ring) {
@@ -144,6 +151,8 @@ namespace {
 void push_mesh_faces(Machine& machine, const Shape& shape) {
   const PooledMesh& pooled = machine.mesh_of(shape);
   const MeshMap map(pooled, shape.scope.size);
+  const std::size_t first = machine.scratch_shapes.size();
+  std::vector<std::vector<Vec3>> loops;
   std::vector<Vec3> loop;
   for (const Mesh::Face& f : pooled.mesh().faces) {
     loop.clear();
@@ -151,10 +160,12 @@ void push_mesh_faces(Machine& machine, const Shape& shape) {
       loop.push_back(shape.scope.at(map(pooled.mesh().points[corner])));
     }
     if (mirrored(shape.scope)) std::reverse(loop.begin(), loop.end());
-    if (length(newell(loop)) > 1e-12) {
-      machine.scratch_shapes.push_back(face_of(machine, shape, loop, {}, f.tag));
-    }
+    if (length(newell(loop)) <= 1e-12) continue;
+    machine.scratch_shapes.push_back(face_of(machine, shape, loop, {}, f.tag));
+    if (machine.program.reads_corners) loops.push_back(loop);
   }
+  if (machine.program.reads_corners)
+    set_mesh_corners(std::span(machine.scratch_shapes).subspan(first), loops);
 }
 
 void push_framed(Machine& machine, Shape face) {
@@ -170,7 +181,10 @@ void push_prism_faces(Machine& machine, const Shape& shape) {
   Shape cap = shape;
   cap.form = Form::polygon;
   cap.open = cap.cuts = 0;
-  if (shape.ground) cap.tag = {};
+  if (shape.ground) {
+    cap.tag = {};
+    cap.corner_left = cap.corner_right = 180;
+  }
   const uint8_t far_side = shape.ground ? side_top : side_front;
   if (shape.cuts & far_side) cap.tag.flags |= EdgeTag::cut;
   if (shape.ground) {
@@ -186,6 +200,7 @@ void push_prism_faces(Machine& machine, const Shape& shape) {
     const PooledPolygon& pooled = machine.polygon_of(shape);
     Shape base = cap;
     base.tag = {};
+    base.corner_left = base.corner_right = 180;
     if (shape.cuts & prism_base(shape)) base.tag.flags = EdgeTag::cut;
     const double w = shape.scope.size.x;
     const double along = prism_height(shape);

@@ -71,7 +71,11 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
   }
   if (child.depth > options.max_depth) {
     fail(s.at, "more than " + std::to_string(options.max_depth) + " shapes deep",
-         "does a rule call itself without end? give it a condition that ends it, or --max-depth");
+         rounds_ > 1 ? "after " + std::to_string(rounds_) +
+                           " rounds: what a shape becomes asks again, in a round of its own; give "
+                           "it a condition that ends it, or --max-depth"
+                     : "does a rule call itself without end? give it a condition that ends it, or "
+                       "--max-depth");
   }
   check_arguments(s, program.rule_sets[rules], child);
 }

@@ -217,7 +217,9 @@ Value Machine::call_function(const ExprNode& node, uint32_t id, const Env& env) 
   }
   const uint64_t draw = function.random ? mix(env.draws, node.salt) : 0;
   const Value result = function.invoke({*this, {values, node.count}, draw, id, env.shape});
-  if (result.type == Type::number && !std::isfinite(result.number)) {
+  // Of questions only: what is not there is infinitely far.
+  if (result.type == Type::number && !std::isfinite(result.number) &&
+      function.asks != Asks::others) {
     std::string of;
     for (uint32_t i = 0; i < node.count; ++i) {
       if (values[i].type == Type::number)

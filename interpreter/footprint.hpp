@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/polygon.hpp"
+#include "interpreter/streets.hpp"
 
 namespace mansard {
 
@@ -38,14 +39,13 @@ struct Footprint {
   }
 };
 
-/// Sets the party, court, street and main flags of every edge. An edge is a party wall where a
-/// neighbour's edge runs along it within `tolerance` metres; an edge that is covered in part is
-/// divided where the cover ends (pieces of at least 0.5 m), so that a wall is party as a whole or
-/// not at all. `wall` numbers are renewed. Court edges belong to holes. Street edges are the outer
-/// edges without a neighbour within `street_clearance` metres in front of their middle (all outer
-/// free edges when that leaves none); the longest of them is main. Then each footprint knows the
-/// others as its surroundings.
-void mark_neighbours(std::vector<Footprint>& footprints, double tolerance = 0.05,
-                     double street_clearance = 6);
+/// Sets the party, court, street, main and corner flags of every edge. An edge is a party wall
+/// where a neighbour's edge runs along it within `tolerance` metres; an edge that is covered in
+/// part is divided where the cover ends (pieces of at least 0.5 m), so that a wall is party as a
+/// whole or not at all. `wall` numbers are renewed. Court edges belong to holes; of street edges
+/// see interpreter/street_edges.hpp. Then each footprint knows the others, and the streets, as its
+/// surroundings.
+void mark_neighbours(std::vector<Footprint>& footprints,
+                     const std::vector<StreetLine>& streets = {}, double tolerance = 0.05);
 
 }  // namespace mansard

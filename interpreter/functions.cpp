@@ -7,6 +7,7 @@
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/question.hpp"
+#include "interpreter/sight.hpp"
 #include "interpreter/trial.hpp"
 #include "interpreter/units.hpp"
 
@@ -284,6 +285,8 @@ Value has_overlap(Call c, std::string_view set, Word word, Opt distance) {
   return ask_overlaps(c, set, distance_of(c, word, distance));
 }
 Value has_contact(Call c, std::string_view set) { return ask_touches(c, set); }
+Value is_seen(Call c, std::string_view set) { return ask_visible(c, set); }
+Value distance_to(Call c, std::string_view set) { return ask_nearest(c, set); }
 
 constexpr std::array rows{
     row<draw_between>("rand", "low, high",
@@ -334,6 +337,16 @@ constexpr std::array rows{
     asking<has_contact>("touches", "set",
                         "Whether a solid of the set ends in the plane of the shape, on it.",
                         "touches(\"noparent\")"),
+    asking<is_seen>(
+        "Shape.visible", "set",
+        "Whether the shortest line from the middle of the shape to the nearest solid of "
+        "the set, or to the nearest \"street\", is free of solids.",
+        "Shape.visible(\"street\")"),
+    asking<distance_to>(
+        "nearest", "set",
+        "Metres from the shape to the nearest solid of the set that it did not come "
+        "from, or in the plan to the nearest \"street\"; infinity without any.",
+        "nearest(\"street\")"),
     of_group<group_any>("group.any", "condition, within",
                         "Whether the condition holds for some shape of the group.",
                         "group.any(W < 1)"),

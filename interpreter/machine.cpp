@@ -82,7 +82,7 @@ void Machine::reset(const Footprint& input, Building& result) {
   production = nullptr;
   current_rules_ = none;
   depth_ = super_depth_ = 0;
-  calls_ = parts = 0;
+  calls_ = rounds_ = parts = 0;
   ++building_number_;
   building_seed_ = mix(options.seed, hash_of(input.id));
   for (const uint32_t slot : overridden_) variable_property_[slot] = none;
@@ -259,6 +259,9 @@ void Machine::adopt(Shape& shape, Polygon&& polygon) {
   const Box2 box = bounds(polygon.points);
   const Vec2 size = box.size();
   translate(polygon, box.low * -1);
+  constexpr double touch = 1e-9;
+  if (box.low.x > touch) shape.corner_left = 180;
+  if (box.high.x < shape.scope.size.x - touch) shape.corner_right = 180;
   const double old_depth = shape.scope.size.z;
   const Vec3 low =
       shape.ground ? Vec3{box.low.x, 0, old_depth - box.high.y} : Vec3{box.low.x, box.low.y, 0};

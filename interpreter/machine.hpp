@@ -243,6 +243,7 @@ class Machine {
   int depth_ = 0;  ///< levels of expressions being evaluated in functions and variables
   int super_depth_ = 0;
   std::size_t without_chance_ = 0;  ///< candidates of probability 0, when nothing else was found
+  std::size_t rounds_ = 0;          ///< of questions, in this building
   std::size_t calls_ = 0;           ///< of functions, and of variables by others, in this building
 
   friend class BuildingValues;

@@ -5,6 +5,7 @@
 
 #include "interpreter/edge_grid.hpp"
 #include "interpreter/footprint.hpp"
+#include "interpreter/street_edges.hpp"
 #include "interpreter/surroundings.hpp"
 
 namespace mansard {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double shortest_piece = 0.5;  // metres
 constexpr uint16_t neighbour_flags =
-    EdgeTag::party | EdgeTag::court | EdgeTag::street | EdgeTag::main;
+    EdgeTag::party | EdgeTag::court | EdgeTag::street | EdgeTag::main | EdgeTag::corner;
 
 using Span = std::pair<double, double>;  // metres along an edge
 
@@ -121,55 +122,19 @@ Polygon divided(const Polygon& polygon, uint32_t footprint, const EdgeGrid& grid
   return result;
 }
 
-// Whether another footprint stands within `clearance` in front of the middle of the edge a-b.
-bool looks_at_neighbour(Vec2 a, Vec2 b, uint32_t footprint, const EdgeGrid& grid, double tolerance,
-                        double clearance, std::vector<uint32_t>& near) {
-  const Vec2 outwards = left_of(normalized(b - a)) * -1;
-  const Vec2 from = mix(a, b, 0.5) + outwards * tolerance, sight = outwards * clearance;
-  grid.near(from, from + sight, near);
-  return std::any_of(near.begin(), near.end(), [&](uint32_t n) {
-    const GridEdge& other = grid.edge(n);
-    if (other.footprint == footprint) return false;
-    const double s1 = cross(sight, other.from - from), s2 = cross(sight, other.to - from);
-    if ((s1 > 0) == (s2 > 0)) return false;
-    const Vec2 hit = mix(other.from, other.to, s1 / (s1 - s2));
-    const double along = dot(hit - from, sight) / dot(sight, sight);
-    return along >= 0 && along <= 1;
-  });
-}
-
-void mark_streets(Polygon& polygon, uint32_t footprint, const EdgeGrid& grid, double tolerance,
-                  double clearance) {
-  std::vector<uint32_t> free, street, near;
-  std::vector<double> lengths(polygon.points.size(), 0);
-  for_each_edge(polygon, [&](uint32_t i, Vec2 a, Vec2 b) {
-    lengths[i] = length(b - a);
-    if (polygon.tags[i].flags & (EdgeTag::party | EdgeTag::court)) return;
-    if (!std::isfinite(lengths[i]) || lengths[i] == 0) return;
-    free.push_back(i);
-    if (!looks_at_neighbour(a, b, footprint, grid, tolerance, clearance, near)) street.push_back(i);
-  });
-  if (street.empty()) street = std::move(free);
-  if (street.empty()) return;
-  uint32_t longest = street[0];
-  for (const uint32_t i : street) {
-    polygon.tags[i].flags |= EdgeTag::street;
-    if (lengths[i] > lengths[longest]) longest = i;
-  }
-  polygon.tags[longest].flags |= EdgeTag::main;
-}
-
 }  // namespace
 
-void mark_neighbours(std::vector<Footprint>& footprints, double tolerance,
-                     double street_clearance) {
+void mark_neighbours(std::vector<Footprint>& footprints, const std::vector<StreetLine>& streets,
+                     double tolerance) {
   const EdgeGrid grid(edges_of(footprints), tolerance);
+  Streets lines(streets);
+  const StreetEdges street_edges(grid, lines, tolerance);
   for (uint32_t i = 0; i < footprints.size(); ++i) {
     Polygon& polygon = footprints[i].polygon;
     polygon = divided(polygon, i, grid, tolerance);
-    mark_streets(polygon, i, grid, tolerance, street_clearance);
+    street_edges.mark(polygon, i);
   }
-  const auto around = std::make_shared<const Surroundings>(footprints);
+  const auto around = std::make_shared<const Surroundings>(footprints, std::move(lines));
   for (uint32_t i = 0; i < footprints.size(); ++i) {
     footprints[i].around = around;
     footprints[i].place = i;

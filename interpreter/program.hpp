@@ -79,6 +79,8 @@ enum class Attribute : uint8_t {
   comp_index,
   comp_count,
   comp_name,
+  corner_left,
+  corner_right,
   level,
   index,
   symbol,
@@ -263,7 +265,8 @@ struct Program {
   std::vector<Material> materials;  ///< [0] is the plain one
   std::unordered_map<std::string, std::vector<uint32_t>> variables_by_property;  ///< slots
   std::deque<LinkedStyle> linked;
-  bool asks = false;  ///< some rule asks about other shapes
+  bool asks = false;           ///< some rule asks about other shapes
+  bool reads_corners = false;  ///< corner.left or corner.right
 
   /// Where a value was written, in a script or on the command line; nowhere when it was computed.
   Span origin(const Value& value) const;

@@ -6,6 +6,7 @@
 #include "interpreter/component.hpp"
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/solid_set.hpp"
 #include "interpreter/surroundings.hpp"
 
 namespace mansard {
@@ -15,11 +16,10 @@ namespace {
 class Question {
  public:
   Question(const FunctionCall& call, std::string_view set, double distance)
-      : machine_(call.machine), shape_(*call.shape), distance_(distance) {
-    const auto known = std::ranges::find(occluder_sets, set);
-    kind_ = static_cast<Set>(known - occluder_sets.begin());
-    if (kind_ == Set::label) label_ = machine_.program.symbols.find(set).value_or(Shape::none);
-  }
+      : machine_(call.machine),
+        shape_(*call.shape),
+        distance_(distance),
+        set_(machine_, shape_, set) {}
 
   Cover cover();
   bool touches();
@@ -27,21 +27,17 @@ class Question {
   const std::string& why() const { return why_; }
 
  private:
-  enum class Set : uint8_t { all, noparent, active, neighbours, label };
-
   template <class F>
   void for_each_face(F f);
   Cover cover_of(const Shape& face);
   bool touches_at(const Shape& face);
-  bool asks_about(uint32_t solid) const;
   void neighbours_before(const Shape& face, const Polygon& outline, std::vector<Polygon>& pieces);
   void name(const std::string& occluder);
 
   Machine& machine_;
   const Shape& shape_;
   double distance_;
-  Set kind_;
-  uint32_t label_ = Shape::none;
+  SolidSet set_;
   std::vector<uint32_t> found_;
   std::string why_;
 };
@@ -72,23 +68,6 @@ Cover Question::cover() {
   return all ? Cover::full : Cover::part;
 }
 
-bool Question::asks_about(uint32_t solid) const {
-  const Occluder& occluder = machine_.world[solid];
-  switch (kind_) {
-    case Set::all:
-      return true;
-    case Set::noparent:
-      return !machine_.world.is_above(solid, shape_.solid);
-    case Set::active:
-      return occluder.active;
-    case Set::neighbours:
-      return false;
-    case Set::label:
-      return label_ != Shape::none && occluder.shape.label == label_;
-  }
-  return false;
-}
-
 void Question::name(const std::string& occluder) {
   if (machine_.keeps_tree) why_ += (why_.empty() ? "" : ", ") + occluder;
 }
@@ -96,8 +75,8 @@ void Question::name(const std::string& occluder) {
 Cover Question::cover_of(const Shape& face) {
   const double reach = std::max(contact, distance_);
   machine_.world.near(grown(bounds_of(face.scope), reach), found_);
-  std::erase_if(found_, [&](uint32_t solid) { return !asks_about(solid); });
-  const bool neighbours = kind_ == Set::all || kind_ == Set::noparent || kind_ == Set::neighbours;
+  std::erase_if(found_, [&](uint32_t solid) { return !set_.has(solid); });
+  const bool neighbours = set_.has_neighbours();
   if (found_.empty() && !(neighbours && machine_.footprint->around)) return Cover::nothing;
   const Polygon outline = plan_of(machine_, face);
   std::vector<Polygon> pieces;
@@ -150,7 +129,7 @@ bool Question::touches() {
 /// A solid ends in the face's plane where it is on one side of it and not on the other.
 bool Question::touches_at(const Shape& face) {
   machine_.world.near(grown(bounds_of(face.scope), contact), found_);
-  std::erase_if(found_, [&](uint32_t solid) { return !asks_about(solid); });
+  std::erase_if(found_, [&](uint32_t solid) { return !set_.has(solid); });
   const Polygon outline = plan_of(machine_, face);
   const auto ends = [&](const std::vector<Polygon>& on, const std::vector<Polygon>& off) {
     for (const Polygon& piece : on) {
@@ -168,7 +147,7 @@ bool Question::touches_at(const Shape& face) {
     name(std::string(machine_.program.symbols[machine_.world[solid].shape.symbol]));
     return true;
   }
-  if (kind_ == Set::active || kind_ == Set::label) return false;
+  if (!set_.has_neighbours()) return false;
   std::vector<Polygon> pieces;
   neighbours_before(face, outline, pieces);
   return !pieces.empty();

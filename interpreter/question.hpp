@@ -1,7 +1,6 @@
 // What a shape asks about others, and the answer: Shape.occ, inside, overlaps, touches.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string_view>
 
@@ -17,10 +16,6 @@ inline constexpr double contact = 0.001;
 inline constexpr double party = 0.05;
 /// Covered or free pieces that are thinner do not count; beside neighbours.
 inline constexpr double thinnest_cover = 0.01, thinnest_party = 0.06;
-
-/// Which solids a question is about.
-inline constexpr std::array<std::string_view, 4> occluder_sets{"all", "noparent", "active",
-                                                               "neighbours"};
 
 Value ask_cover(const FunctionCall& call, std::string_view set, std::optional<double> distance);
 Value ask_inside(const FunctionCall& call, std::string_view set, std::optional<double> distance);

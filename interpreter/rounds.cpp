@@ -42,6 +42,7 @@ void Machine::answer_round() {
   round.shapes.assign(waiting_.begin(), later);
   waiting_.erase(waiting_.begin(), later);
   world.freeze();
+  ++rounds_;
   if (keeps_tree) building->rounds.push_back({stage, round.shapes.size(), {}});
   last_cover.known = false;
   for (Shape& shape : round.shapes) show(shape, false);

@@ -23,11 +23,12 @@ std::string_view selector_summary(Selector selector) {
       "Faces that lie level.",
       "Faces that neither stand upright nor lie level.",
       "The longest of the street walls.",
-      "Outer walls with no neighbour within 6 m before them; all outer free walls when there is "
-      "none.",
+      "Walls that look at a line of --streets; without any, outer walls with no neighbour within "
+      "6 m before them, or all outer free walls when there is none.",
       "Walls that touch a neighbour's footprint, within 5 cm.",
       "Walls around a hole of the footprint.",
       "Faces that a split made.",
+      "Street walls that meet another street wall in an outer corner, at less than 150°.",
       "The lines of a flat shape, or of the base of an extruded footprint.",
       "The points of a flat shape, or of the base of an extruded footprint.",
       "Lines from which two slopes fall away to opposite sides.",
@@ -44,8 +45,6 @@ std::optional<Selector> find_selector(std::string_view word) {
   if (it == selector_words.end()) return std::nullopt;
   return static_cast<Selector>(it - selector_words.begin());
 }
-
-bool is_later_selector(std::string_view word) { return word == "corner"; }
 
 namespace {
 
@@ -103,6 +102,8 @@ bool selects(Selector selector, const Shape& face, const Shape& parent) {
       return face.tag.has(EdgeTag::court);
     case Selector::cut:
       return face.tag.has(EdgeTag::cut);
+    case Selector::corner:
+      return face.tag.has(EdgeTag::corner);
     case Selector::edges:
     case Selector::vertices:
     case Selector::ridge:
@@ -127,6 +128,8 @@ bool selects_edge(Selector selector, EdgeTag tag, Vec2 normal) {
       return tag.has(EdgeTag::court);
     case Selector::cut:
       return tag.has(EdgeTag::cut);
+    case Selector::corner:
+      return tag.has(EdgeTag::corner);
     case Selector::front:
     case Selector::back:
     case Selector::left:

@@ -28,6 +28,7 @@ enum class Selector : uint8_t {
   party,
   court,
   cut,
+  corner,
   edges,
   vertices,
   ridge,
@@ -37,17 +38,15 @@ enum class Selector : uint8_t {
   rake,
   all
 };
-inline constexpr std::array<std::string_view, 26> selector_words{
-    "faces",  "side",     "facades",    "sidefaces", "front",  "back",   "left",  "right", "top",
-    "bottom", "vertical", "horizontal", "slanted",   "main",   "street", "party", "court", "cut",
-    "edges",  "vertices", "ridge",      "hip",       "valley", "eave",   "rake",  "all"};
+inline constexpr std::array<std::string_view, 27> selector_words{
+    "faces",  "side",     "facades",    "sidefaces", "front", "back",   "left",  "right", "top",
+    "bottom", "vertical", "horizontal", "slanted",   "main",  "street", "party", "court", "cut",
+    "corner", "edges",    "vertices",   "ridge",     "hip",   "valley", "eave",  "rake",  "all"};
 
 /// One sentence on each of selector_words, for editors.
 std::string_view selector_summary(Selector selector);
 
 std::optional<Selector> find_selector(std::string_view word);
-/// Selectors that a later version brings.
-bool is_later_selector(std::string_view word);
 
 /// Programs intern NIL first and then these words, so that a label's number says its selector.
 constexpr std::optional<Selector> selector_of(uint32_t symbol) {

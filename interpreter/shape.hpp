@@ -73,11 +73,12 @@ struct Shape {
   uint32_t comp_index = 0, comp_count = 1, comp_name = none;
   uint32_t level = 0;  ///< storey: part of the nearest split along Y
   uint32_t label = none;
+  float corner_left = 180, corner_right = 180;  ///< degrees to the walls beside, see corners.hpp
 
   double width() const { return scope.size.x; }
   double height() const { return scope.size.y; }
   double depth_size() const { return scope.size.z; }
 };
-static_assert(std::is_trivially_copyable_v<Shape> && sizeof(Shape) == 248);
+static_assert(std::is_trivially_copyable_v<Shape> && sizeof(Shape) == 256);
 
 }  // namespace mansard

@@ -48,6 +48,8 @@ inline Shape slab(const Shape& shape, Axis axis, double low, double high) {
   along(piece.scope.size, axis) = high - low;
   const uint8_t low_side = axis == Axis::x ? side_left : axis == Axis::y ? side_bottom : side_back;
   const uint8_t high_side = axis == Axis::x ? side_right : axis == Axis::y ? side_top : side_front;
+  if (axis == Axis::x && low > touch) piece.corner_left = 180;  // inside (corners.hpp)
+  if (axis == Axis::x && high < whole - touch) piece.corner_right = 180;
   if (low > touch) {
     piece.cuts |= low_side;
     piece.open &= static_cast<uint8_t>(~low_side);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "interpreter/building_height.hpp"
 
@@ -28,7 +29,8 @@ Prism block_of(const Footprint& footprint) {
 
 }  // namespace
 
-Surroundings::Surroundings(const std::vector<Footprint>& footprints) {
+Surroundings::Surroundings(const std::vector<Footprint>& footprints, Streets streets)
+    : streets_(std::move(streets)) {
   constexpr double nowhere = 1e300;  // meets no box
   std::vector<Box3> boxes;
   for (const Footprint& footprint : footprints) {

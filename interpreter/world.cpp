@@ -6,6 +6,7 @@
 #include "geometry/close_holes.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/machine.hpp"
+#include "interpreter/surroundings.hpp"
 
 namespace mansard {
 
@@ -24,7 +25,8 @@ Box3 bounds_of(const Scope& scope) {
 
 void World::clear() {
   all_.clear();
-  meshes_.clear();
+  solids_.clear();
+  blocks_.clear();
 }
 
 uint32_t World::add(const Shape& shape, bool active) {
@@ -39,7 +41,7 @@ void World::freeze() {
 }
 
 void World::go_back(uint32_t size, uint32_t frozen_then) {
-  std::erase_if(meshes_, [&](const auto& known) { return known.first >= size; });
+  std::erase_if(solids_, [&](const auto& known) { return known.first >= size; });
   all_.resize(size);
   if (frozen() == frozen_then) return;
   boxes_.resize(frozen_then);
@@ -70,18 +72,14 @@ Prism prism_of(const Machine& machine, const Shape& shape) {
 
 }  // namespace
 
-const Mesh& World::mesh_of(const Machine& machine, uint32_t solid) {
-  const auto [at, fresh] = meshes_.try_emplace(solid);
-  if (!fresh) return at->second;
-  const Shape& shape = all_[solid].shape;
-  if (shape.form != Form::mesh) {
-    at->second = to_mesh(prism_of(machine, shape));
-    return at->second;
-  }
+namespace {
+
+Mesh mesh_in_world(const Machine& machine, const Shape& shape) {
+  if (shape.form != Form::mesh) return to_mesh(prism_of(machine, shape));
   const PooledMesh& pooled = machine.mesh_of(shape);
   const MeshMap map(pooled, shape.scope.size);
   const bool turned = mirrored(shape.scope);
-  Mesh& mesh = at->second;
+  Mesh mesh;
   for (const Vec3 p : pooled.mesh().points) mesh.points.push_back(shape.scope.at(map(p)));
   std::vector<uint32_t> loop;
   for (const Mesh::Face& face : pooled.mesh().faces) {
@@ -94,16 +92,37 @@ const Mesh& World::mesh_of(const Machine& machine, uint32_t solid) {
   return mesh;
 }
 
+}  // namespace
+
+SolidMesh& World::solid_of(const Machine& machine, uint32_t solid) {
+  const auto [at, fresh] = solids_.try_emplace(solid);
+  if (fresh) at->second = SolidMesh(mesh_in_world(machine, all_[solid].shape));
+  return at->second;
+}
+
+SolidMesh& World::block_of(const Surroundings& around, uint32_t place) {
+  const auto [at, fresh] = blocks_.try_emplace(place);
+  if (fresh) at->second = SolidMesh(to_mesh(around.block(place)));
+  return at->second;
+}
+
 std::vector<Polygon> World::section_of(const Machine& machine, uint32_t solid, const Scope& frame,
                                        double above) {
   const Shape& shape = all_[solid].shape;
   if (shape.form != Form::mesh) return section(prism_of(machine, shape), frame, above);
-  return section(mesh_of(machine, solid), frame, above);
+  const SolidMesh& mesh = solid_of(machine, solid);
+  if (!mesh.is_large()) return section(mesh.mesh(), frame, above);
+  const double at = dot(frame.z, frame.origin) + above;
+  return section(mesh.across(frame.z, at, nullptr), frame, above);
 }
 
 std::vector<Polygon> World::shadow_of(const Machine& machine, uint32_t solid, const Scope& frame,
                                       double low, double high, double beside) {
-  return shadow(mesh_of(machine, solid), frame, low, high, beside);
+  const SolidMesh& mesh = solid_of(machine, solid);
+  if (!mesh.is_large()) return shadow(mesh.mesh(), frame, low, high, beside);
+  const Box3 box = grown(bounds_of(frame), std::max(beside, high));
+  const double at = dot(frame.z, frame.origin) + high;
+  return shadow(mesh.across(frame.z, at, &box), frame, low, high, beside);
 }
 
 }  // namespace mansard

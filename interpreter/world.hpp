@@ -7,11 +7,13 @@
 
 #include "geometry/box_index.hpp"
 #include "geometry/occlusion.hpp"
+#include "geometry/solid_mesh.hpp"
 #include "interpreter/shape.hpp"
 
 namespace mansard {
 
 class Machine;
+class Surroundings;
 
 /// A solid that hides what lies in it. `shape.solid` is the solid that it came from.
 struct Occluder {
@@ -52,6 +54,9 @@ class World {
   uint32_t frozen() const { return static_cast<uint32_t>(boxes_.size()); }
   /// As it was when it had `size` solids, of which the first `frozen` were frozen.
   void go_back(uint32_t size, uint32_t frozen);
+  void along(Vec3 from, Vec3 to, std::vector<uint32_t>& found) const {
+    index_.along(from, to, found);
+  }
 
   /// The solid's cross-section just before the face's plane (geometry/occlusion.hpp), and what it
   /// fills before it.
@@ -59,16 +64,20 @@ class World {
                                   double above);
   std::vector<Polygon> shadow_of(const Machine& machine, uint32_t solid, const Scope& frame,
                                  double low, double high, double beside);
+  /// The same solid, closed, in the world; kept until the next building.
+  SolidMesh& solid_of(const Machine& machine, uint32_t solid);
+  /// The block of a neighbour, by its place in the surroundings.
+  SolidMesh& block_of(const Surroundings& around, uint32_t place);
+  const BoxIndex& index() const { return index_; }
   /// Whether `solid` is `of` or one of the solids it came from.
   bool is_above(uint32_t solid, uint32_t of) const;
 
  private:
-  const Mesh& mesh_of(const Machine& machine, uint32_t solid);
-
   std::vector<Occluder> all_;
   std::vector<Box3> boxes_;
   BoxIndex index_;
-  std::unordered_map<uint32_t, Mesh> meshes_;  ///< in the world, of those that were needed
+  /// In the world, of those that were needed.
+  std::unordered_map<uint32_t, SolidMesh> solids_, blocks_;
 };
 
 bool is_solid(const Shape& shape);

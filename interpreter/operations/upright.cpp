@@ -103,20 +103,50 @@ std::size_t part_for(const Context& c, DormerPart part) {
   return slope ? static_cast<std::size_t>(DormerPart::slope) : own;
 }
 
+/// Its faces, in the world, as a solid of the world; where it lies on the slope it is open.
+void show_dormer(Context& c, const std::vector<DormerFace>& faces,
+                 const std::vector<std::vector<Vec3>>& loops) {
+  Mesh mesh;
+  std::vector<uint32_t> numbers;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].part == DormerPart::rest) continue;
+    numbers.clear();
+    for (const Vec3 p : loops[f]) {
+      numbers.push_back(static_cast<uint32_t>(mesh.points.size()));
+      mesh.points.push_back(p);
+    }
+    mesh.add_face(numbers);
+  }
+  if (mesh.faces.empty()) return;
+  Shape solid = c.shape;
+  const Box3 box = bounds(mesh.points);
+  solid.scope = {box.low, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, box.size()};
+  solid.form = Form::mesh;
+  solid.ground = false;
+  solid.geometry = c.machine.add_mesh(std::move(mesh));
+  c.machine.show(solid, false);
+  c.shape.solid = solid.solid;
+}
+
 void give(Context& c, const std::vector<DormerFace>& faces) {
   const Scope& on = c.shape.scope;
   const bool left = mirrored(on);
   const Vec3 along = on.x * (left ? -1.0 : 1.0), into = cross(Vec3{0, 1, 0}, along);
   const Vec3 corner = left ? on.at({on.size.x, 0, 0}) : on.origin;
+  std::vector<std::vector<Vec3>> loops;
+  for (const DormerFace& face : faces) {
+    auto& loop = loops.emplace_back();
+    for (const Vec3 p : face.loop)
+      loop.push_back(corner + along * p.x + into * p.y + Vec3{0, p.z, 0});
+  }
+  const uint32_t solid = c.shape.solid;
+  if (c.machine.program.asks) show_dormer(c, faces, loops);
   constexpr std::size_t first_line = dormer_parts.size();
   FaceBorders borders;
   const bool lines = wants_lines(c, first_line);
-  for (const DormerFace& face : faces) {
-    const std::size_t part = part_for(c, face.part);
-    std::vector<Vec3> loop;
-    for (const Vec3 p : face.loop) {
-      loop.push_back(corner + along * p.x + into * p.y + Vec3{0, p.z, 0});
-    }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::size_t part = part_for(c, faces[f].part);
+    const std::vector<Vec3>& loop = loops[f];
     if (lines) borders.add_face(loop, c.shape.tag);
     if (!c.wants(part)) {
       warn_unnamed(c, part);
@@ -125,9 +155,11 @@ void give(Context& c, const std::vector<DormerFace>& faces) {
     Shape piece = face_of(c.machine, c.shape, loop, {}, c.shape.tag);
     c.named_part(part, piece);
   }
-  if (!lines) return;
-  add_slope_around(borders, on.z);
-  give_lines(c, borders, first_line);
+  if (lines) {
+    add_slope_around(borders, on.z);
+    give_lines(c, borders, first_line);
+  }
+  c.shape.solid = solid;
 }
 
 }  // namespace
