@@ -8,12 +8,20 @@ namespace {
 
 // clang-format off
 constexpr std::array arguments{
-    ArgumentRow{"subdiv", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth, or degrees in a face's plane"},
+    ArgumentRow{"subdiv", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth, or degrees in a face's plane; \"XS\" snaps"},
     ArgumentRow{"subdiv", "size", "one for each part: 2.5 (metres), 30%, 1r (a share of the rest), ~1.2 (about)"},
-    ArgumentRow{"repeat", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth, or degrees in a face's plane"},
+    ArgumentRow{"repeat", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth, or degrees in a face's plane; \"XS\" snaps"},
     ArgumentRow{"repeat", "size", "metres, about: the parts stretch to fill"},
     ArgumentRow{"repeat", "mode", "how the number is rounded: \"nearest\" (if nothing is said), \"fit\" down, \"ceil\" up; at least 1"},
-    ArgumentRow{"split", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth"},
+    ArgumentRow{"split", "axis", "\"X\" across, \"Y\" up, \"Z\" into the depth; \"XS\" snaps"},
+    ArgumentRow{"subdiv", "tolerance", "metres, 0 to 100, that a boundary moves at most to snap; 0.3 if nothing is said"},
+    ArgumentRow{"split", "tolerance", "metres, 0 to 100, that a boundary moves at most to snap; 0.3 if nothing is said"},
+    ArgumentRow{"repeat", "tolerance", "metres, 0 to 100: lines nearer together, or to an end, count as one; 0.3 if nothing is said"},
+    ArgumentRow{"subdiv", "to", "a label: snap only to planes that snap() recorded with it and to masses of this label()"},
+    ArgumentRow{"repeat", "to", "a label: snap only to planes that snap() recorded with it and to masses of this label()"},
+    ArgumentRow{"split", "to", "a label: snap only to planes that snap() recorded with it and to masses of this label()"},
+    ArgumentRow{"snap", "planes", "\"XZ\" below and above the shape, \"YZ\" left and right, \"XY\" behind and before; \"XZ YZ\" both"},
+    ArgumentRow{"snap", "label", "text: splits with to = \"...\" snap only to planes of that label"},
     ArgumentRow{"comp", "selector", "the faces that the one part takes, comp(\"facades\") { A }; without it every part has its selector"},
     ArgumentRow{"extrude", "height", "metres, 0 or more"},
     ArgumentRow{"extrude", "corners", "\"square\" (if nothing is said)"},

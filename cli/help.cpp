@@ -62,8 +62,8 @@ void operation_page(const Operation& o) {
   if (o.count > 0) print("\nArguments\n");
   for (std::size_t i = 0; i < o.count; ++i) {
     const std::string_view name = o.parameter_name(i);
-    const bool is_optional = i >= o.required && !(o.variadic && i + 1u == o.count);
-    named_line(name, std::string(argument_summary(o, name)) + (is_optional ? " (optional)" : ""));
+    named_line(
+        name, std::string(argument_summary(o, name)) + (o.may_be_left_out(i) ? " (optional)" : ""));
   }
   if (!o.parts.empty()) print("\nParts\n");
   for (std::size_t i = 0; i < parts_in(o.parts); ++i)

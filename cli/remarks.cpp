@@ -36,6 +36,16 @@ void Remarks::add(const Building& building) {
       known->parts += cut.parts;
     }
   }
+  for (const SnapSplit& split : building.snap_splits) add_snap_split(split);
+}
+
+void Remarks::add_snap_split(const SnapSplit& split) {
+  const auto known = std::ranges::find(snap_splits_, split.at, &SnapSplit::at);
+  if (known == snap_splits_.end()) return snap_splits_.push_back(split);
+  known->shapes += split.shapes;
+  known->with_planes += split.with_planes;
+  known->with_lines += split.with_lines;
+  known->late = known->late || split.late;
 }
 
 bool Remarks::is_news(std::string_view kind, Span at) {
@@ -47,8 +57,10 @@ void Remarks::finish(const Program& program, const std::string& where) {
   if (!taken_.empty()) {
     for (const RuleSet& rules : program.rule_sets) tell_misfits(program, rules, where);
   }
+  tell_snap_splits(where);
   tell_roofs(where);
   cuts_.clear();
+  snap_splits_.clear();
   taken_.clear();
   roofs_ = {};
 }
@@ -93,6 +105,25 @@ void Remarks::tell_cuts(const std::string& where) {
   session_.say("note: " + where + std::to_string(all) +
                (all == 1 ? " part of a split was" : " parts of splits were") +
                " cut for want of room: " + places + (cuts_.size() > most_places ? ", …" : ""));
+}
+
+/// Splits that snap and met no line in all of a run.
+void Remarks::tell_snap_splits(const std::string& where) {
+  for (const SnapSplit& split : snap_splits_) {
+    if (split.with_lines > 0 || !is_news("snaps", split.at)) continue;
+    const auto symbol = "'" + std::string(split.symbol) + "'";
+    std::string why = "no plane was recorded, and no other mass meets its own";
+    if (split.to) why = "no plane and no mass that meets its own has this label";
+    if (split.late)
+      why = "planes were recorded, but not before its round; a later @stage of " + symbol +
+            " sees them";
+    if (split.with_planes > 0)
+      why = "no plane crosses " + (split.shapes == 1
+                                       ? "its shape"
+                                       : "any of its " + std::to_string(split.shapes) + " shapes");
+    session_.say("note: " + where + std::string(split.at.text()) + " in " + symbol + " (" +
+                 place(split.at) + ") snapped to nothing: " + why);
+  }
 }
 
 /// Where `fits` held for no shape, and no other condition of the symbol did.

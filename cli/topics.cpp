@@ -18,7 +18,7 @@ building and the variables that shape it.
 A rule rewrites a symbol:  NAME(params)[index] : condition -> successor : probability
 Every word has a page: mansard help override, mansard help ::, mansard help overhang.
 See also: mansard help rules, successors, sizes, selectors, variables, inheritance, questions, groups,
-elements, attributes, frames; docs/language.md is the whole of it.)"},
+snapping, elements, attributes, frames; docs/language.md is the whole of it.)"},
     Topic{
         "rules", "Rules and productions",
         R"(All productions of a symbol whose condition holds are candidates; one is drawn by its probability.
@@ -137,6 +137,22 @@ Without @stage they are of stage 2, after all that waits for stage 1.
 
 derives each part to its end on the side and goes on with the one of the highest score. made("SYMBOL") counts
 terminals of a part, reported("key") sums what it reported.)"},
+    Topic{"snapping", "Lines that splits snap to",
+          R"(  GROUND -> repeat("X", 3.5) { snap("YZ") SHOP }
+  FLOOR  -> repeat("XS", 1.6) { TILE }
+
+snap("YZ") records the planes on the left and right of a shape, "XZ" those below and above it, "XY" those behind
+and before it; they are infinite and hold for the whole building. Masses, which extrude or box stands on the
+ground or on a flat face, record theirs for the masses that they meet. A split whose axis is written with an S
+goes to where planes cross its shape:
+
+  repeat("XS", size)      is solved between each line and the next
+  subdiv("YS", sizes...)  moves the boundary that is nearest to a line; split("XS") { ... } likewise
+  tolerance = 0.3         subdiv, split: how far at most; repeat: nearer lines count as one, the first
+  to = "label"            only planes of snap("YZ", "label"), and masses of label("label")
+
+Shapes that snap wait: they see the planes that were recorded before their round. @stage(2) before a rule makes
+it wait for a later one. mansard tree FILE.style FOOTPRINT --rounds shows the lines that each split saw.)"},
     Topic{"elements", "Meshes and looks of terminals",
           R"(  Elements  { WINDOW : "near.obj" "far.obj" : 0.7   "other.obj" : 0.3
               DOOR + "door3.obj" : 0.1   remove LEDGE }

@@ -1,4 +1,5 @@
 // mansard tree
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -105,6 +106,18 @@ void print_json(const Tree& tree, const std::vector<uint32_t>& roots) {
               all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
+/// The lines that a split saw, and which of them it has a boundary at.
+void print_snapping(const Tree& tree, const Snapping& snapping) {
+  const auto used = std::ranges::count(snapping.lines, true, &Snapping::Line::used);
+  std::printf("  %s (node %u): %s snaps to %zu of %s\n", tree.symbol(snapping.node).c_str(),
+              snapping.node, snapping.split.c_str(), static_cast<std::size_t>(used),
+              count_text(snapping.lines.size(), "line").c_str());
+  for (const Snapping::Line& line : snapping.lines) {
+    std::printf("    %s m%s: %s\n", number(line.at).c_str(), line.used ? "" : ", not taken",
+                line.by.c_str());
+  }
+}
+
 /// What was asked, answered and why, round by round.
 void print_rounds(const Tree& tree, const Building& building) {
   if (building.rounds.empty()) std::printf("nothing was asked\n");
@@ -117,6 +130,7 @@ void print_rounds(const Tree& tree, const Building& building) {
                   answer.asked.c_str(), answer.answer.c_str(), answer.why.empty() ? "" : ", by ",
                   answer.why.c_str());
     }
+    for (const Snapping& snapping : round.snappings) print_snapping(tree, snapping);
   }
 }
 
@@ -128,12 +142,25 @@ nlohmann::ordered_json to_json(const Tree& tree, const Answer& answer) {
           {"by", answer.why}};
 }
 
+nlohmann::ordered_json to_json(const Tree& tree, const Snapping& snapping) {
+  auto lines = nlohmann::ordered_json::array();
+  for (const Snapping::Line& line : snapping.lines)
+    lines.push_back({{"at", line.at}, {"taken", line.used}, {"by", line.by}});
+  return {{"node", snapping.node},
+          {"symbol", tree.symbol(snapping.node)},
+          {"split", snapping.split},
+          {"lines", lines}};
+}
+
 void print_rounds_json(const Tree& tree, const Building& building) {
   auto all = nlohmann::ordered_json::array();
   for (const Round& round : building.rounds) {
     auto answers = nlohmann::ordered_json::array();
     for (const Answer& answer : round.answers) answers.push_back(to_json(tree, answer));
-    all.push_back({{"stage", round.stage}, {"shapes", round.shapes}, {"answers", answers}});
+    auto snaps = nlohmann::ordered_json::array();
+    for (const Snapping& snapping : round.snappings) snaps.push_back(to_json(tree, snapping));
+    all.push_back(
+        {{"stage", round.stage}, {"shapes", round.shapes}, {"answers", answers}, {"snaps", snaps}});
   }
   std::printf("%s\n",
               all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());

@@ -75,7 +75,11 @@ const WordRow* find_word(std::string_view name) { return find(words, name); }
 const WordRow* find_sign(std::string_view sign) { return find(signs, sign); }
 
 std::string usage(const Operation& o) {
-  std::string text = std::string(o.name) + "(" + std::string(o.args) + ")";
+  std::string text = std::string(o.name) + "(" + o.names_by_place();
+  for (std::size_t i = 0; i < o.count; ++i) {
+    if (o.parameters[i].named) text += ", " + std::string(o.parameter_name(i)) + " =";
+  }
+  text += ")";
   switch (o.rule) {
     case PartRule::without:
       break;

@@ -241,6 +241,15 @@ symbol, whatever their index.
     FLOOR[1] -> repeat("X", 2) { WINDOW }
 
 Give it the number that was meant, or add a production that takes any other: FLOOR -> WALL)"},
+    CodePage{
+        "W027", "An axis snaps, and nothing records a plane for it.",
+        R"(A split whose axis is written with an S goes to the planes that snap() recorded before, and to the faces of
+masses that its own one meets. Here no rule says snap(), and there is one mass only.
+
+    FOOTPRINT -> extrude(9) comp { side : FACADE }
+    FACADE    -> repeat("XS", 2) { TILE }
+
+Record planes where the lines are: GROUND -> repeat("X", 3.5) { snap("YZ") SHOP }, or write "X".)"},
 };
 
 }  // namespace

@@ -176,7 +176,7 @@ void Compiler::check_call_types(const Call& call) {
   check_setting_type(call);
   for (std::size_t i = 0; i < call.args.size(); ++i) {
     if (call.args[i].value == none) continue;
-    const std::size_t known = std::min<std::size_t>(i, operation.count - 1u);
+    const std::size_t known = operation.parameter_of(i);
     const auto type = static_type(call.args[i].value);
     if (!type) continue;
     refuse_later_word(call, known, call.args[i].value);
@@ -249,7 +249,7 @@ std::optional<Type> Compiler::declared_type(ExprId id) const {
 void Compiler::check_sizes(const Call& call) {
   if (call.operation->rule != PartRule::sizes || call.parts.size() < 2) return;
   std::size_t sizes = 0;
-  for (std::size_t i = 1; i < call.args.size(); ++i) {
+  for (std::size_t i = call.operation->count; i < call.args.size(); ++i) {
     const auto type = declared_type(call.args[i].value);
     if (!type) return;
     const ExprNode& n = program_.nodes[call.args[i].value];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,29 @@ struct CutSplit {
   std::size_t parts = 0;    ///< cut or left out
 };
 
+/// A split whose axis snaps, by place.
+struct SnapSplit {
+  Span at;                      ///< its axis
+  std::string_view symbol;      ///< whose rule it is; lives as long as the script
+  std::optional<uint64_t> to;   ///< hash_of the label that it asked for last
+  std::size_t shapes = 0;       ///< that were split
+  std::size_t with_planes = 0;  ///< of these, where there were planes to choose from
+  std::size_t with_lines = 0;   ///< of these, where some plane crosses the shape
+  bool late = false;            ///< planes were recorded, but no sooner than it was split
+};
+
+/// A split that snapped, and the lines that it saw.
+struct Snapping {
+  struct Line {
+    double at = 0;
+    bool used = false;
+    std::string by;
+  };
+  uint32_t node = Shape::none;
+  std::string split;
+  std::vector<Line> lines;
+};
+
 /// What a shape asked about others: an expression, what came of it and which solids decided.
 struct Answer {
   uint32_t node = Shape::none;
@@ -38,6 +62,7 @@ struct Round {
   int stage = 0;
   std::size_t shapes = 0;
   std::vector<Answer> answers;
+  std::vector<Snapping> snappings;
 };
 
 struct TreeNode {
@@ -78,6 +103,7 @@ struct Building {
   std::vector<uint32_t> terminals;  ///< how many, by symbol
   std::vector<uint32_t> taken;      ///< how often, by production of the program
   std::vector<CutSplit> cuts;
+  std::vector<SnapSplit> snap_splits;
   std::map<std::string, ReportEntry> report;
   std::vector<std::string> printed;  ///< by print()
   std::vector<Diagnostic> warnings;
@@ -95,6 +121,7 @@ struct Building {
     std::fill(terminals.begin(), terminals.end(), 0);
     std::fill(taken.begin(), taken.end(), 0);
     cuts.clear();
+    snap_splits.clear();
     report.clear();
     printed.clear();
     warnings.clear();

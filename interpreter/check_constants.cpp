@@ -100,6 +100,7 @@ void Compiler::warn_of_style(const Value& name) {
 
 void Compiler::check_axis(const Call& call) {
   if (call.args.empty() || call.operation->parameter_name(0) != "axis") return;
+  check_axis_word(call);
   const auto angle = constant_number(call.args[0].value);
   if (angle && !is_angle(*angle)) {
     refuse(program_.spans[call.args[0].value], wrong_angle(*angle), "0 runs along the face, 90 up");

@@ -5,17 +5,6 @@
 #include "interpreter/roof_words.hpp"
 
 namespace mansard {
-namespace {
-
-std::size_t place_of(const Operation& operation, std::string_view argument) {
-  for (std::size_t i = 0; i < operation.count; ++i) {
-    if (operation.parameter_name(i) == argument) return i;
-  }
-  return operation.count;
-}
-
-}  // namespace
-
 void Compiler::check_roof(const Call& call) {
   const std::string_view name = call.operation->name;
   if (name != "roof" && name != "upright") return;
@@ -33,8 +22,8 @@ void Compiler::check_roof(const Call& call) {
 
 /// Two arguments of which one decides.
 void Compiler::check_rivals(const Call& call, std::string_view one, std::string_view other) {
-  const ExprId a = call.args[place_of(*call.operation, one)].value;
-  const ExprId b = call.args[place_of(*call.operation, other)].value;
+  const ExprId a = call.args[call.operation->find_parameter(one)].value;
+  const ExprId b = call.args[call.operation->find_parameter(other)].value;
   if (a == none || b == none) return;
   Diagnostic d;
   d.at = program_.spans[a];

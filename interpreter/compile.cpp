@@ -96,6 +96,7 @@ bool Compiler::run() {
   check_types();
   check_constants();
   check_questions();
+  check_snapping();
   find_waiting();
   if (diagnostics_.has_errors()) return false;
   if (options_.all_styles && library_.main_file()) {

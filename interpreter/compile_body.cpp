@@ -65,7 +65,7 @@ void Compiler::emit(const syntax::Emit& e, Span at, NameScope& scope, std::vecto
       }
       refuse(e.name.at,
              "'" + std::string(e.name.text) + "' is an operation and needs its arguments",
-             "write " + std::string(e.name.text) + "(" + std::string(operation->args) + ")");
+             "write " + std::string(e.name.text) + "(" + operation->names_by_place() + ")");
     }
     Step step;
     step.kind = StepKind::operation;

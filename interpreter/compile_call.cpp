@@ -10,7 +10,7 @@
 namespace mansard {
 namespace {
 
-constexpr std::array<std::string_view, 3> later_options{"tolerance", "even", "index"};
+constexpr std::array<std::string_view, 2> later_options{"even", "index"};
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
@@ -81,7 +81,7 @@ void Compiler::refuse_compared_name(const Operation& operation, const syntax::Ar
 
 void Compiler::call_arguments(Call& call, const syntax::Emit& e, NameScope& scope) {
   const Operation& operation = *call.operation;
-  call.args.resize(operation.variadic ? operation.count - 1u : operation.count);
+  call.args.resize(operation.count);
   std::size_t position = 0;
   if (e.args) {
     for (const syntax::Arg& arg : *e.args) {
@@ -89,8 +89,10 @@ void Compiler::call_arguments(Call& call, const syntax::Emit& e, NameScope& scop
       const std::size_t place = argument_place(operation, arg, position);
       if (!arg.name) ++position;
       if (place >= call.args.size()) call.args.resize(place + 1);
-      if (call.args[place].value != none)
-        refuse(arg.at, quoted(operation.parameter_name(place)) + " is given twice");
+      if (call.args[place].value != none) {
+        refuse(arg.at,
+               quoted(operation.parameter_name(operation.parameter_of(place))) + " is given twice");
+      }
       if (place < operation.count && operation.parameters[place].type == ArgType::setting) {
         setting_argument(call, arg, scope);
       } else {
@@ -99,37 +101,43 @@ void Compiler::call_arguments(Call& call, const syntax::Emit& e, NameScope& scop
     }
   }
   for (std::size_t i = 0; i < operation.required; ++i) {
+    if (operation.parameters[i].optional) continue;
     const bool setting = operation.parameters[i].type == ArgType::setting && call.setting != none;
-    if ((i < call.args.size() && call.args[i].value != none) || setting) continue;
+    const bool rest = operation.variadic && i == operation.rest;
+    if (setting || (rest ? call.args.size() > operation.count : call.args[i].value != none))
+      continue;
     refuse(call.args_at, quoted(operation.name) + " needs " + quoted(operation.parameter_name(i)),
-           "write " + std::string(operation.name) + "(" + std::string(operation.args) + ")");
+           "write " + std::string(operation.name) + "(" + operation.names_by_place() + ")");
   }
 }
 
 std::size_t Compiler::argument_place(const Operation& operation, const syntax::Arg& arg,
                                      std::size_t position) {
+  const auto slot = [&](std::size_t i) -> std::size_t {
+    const bool rest = operation.variadic && i == operation.rest;
+    return rest ? operation.count + std::max<std::size_t>(position, i) - i : i;
+  };
   if (!arg.name) {
-    if (position >= operation.count && !operation.variadic) {
+    if (position >= operation.places() && !operation.variadic) {
       std::string help =
-          "write " + std::string(operation.name) + "(" + std::string(operation.args) + ")";
+          "write " + std::string(operation.name) + "(" + operation.names_by_place() + ")";
       if (operation.name == "color")
         help = "red, green and blue stand in one text: color(\"#445566\")";
       if (operation.name == "split")
         help =
             "sizes stand before the parts: split(\"X\") { 1 : A | 1r : B }, or "
             "subdiv(\"X\", 1, 1r) { A | B }";
-      refuse(
-          arg.at,
-          quoted(operation.name) + " takes " + count_text(operation.count, "argument") + " at most",
-          help);
+      refuse(arg.at,
+             quoted(operation.name) + " takes " + count_text(operation.places(), "argument") +
+                 " at most",
+             help);
     }
-    return position;
+    return slot(operation.parameter_at(position));
   }
+  const std::size_t named = operation.find_parameter(arg.name.text);
+  if (named < operation.count) return slot(named);
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < operation.count; ++i) {
-    names.push_back(operation.parameter_name(i));
-    if (names.back() == arg.name.text) return i;
-  }
+  for (std::size_t i = 0; i < operation.count; ++i) names.push_back(operation.parameter_name(i));
   if (std::ranges::find(later_options, arg.name.text) != later_options.end()) {
     refuse(arg.name.at, quoted(arg.name.text) + " of " + quoted(operation.name) +
                             " comes with a later version of Mansard");
@@ -141,7 +149,7 @@ std::size_t Compiler::argument_place(const Operation& operation, const syntax::A
 SizeExpr Compiler::size_argument(const Operation& operation, std::size_t place,
                                  const syntax::Arg& arg, NameScope& scope) {
   using enum syntax::SizeKind;
-  const std::size_t known = std::min<std::size_t>(place, operation.count - 1u);
+  const std::size_t known = operation.parameter_of(place);
   const ArgType type = operation.parameters[known].type;
   const syntax::SizeKind kind = arg.value.kind;
   if (kind == dont_care)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interpreter/axes.hpp"
 #include "interpreter/compiler.hpp"
 #include "interpreter/lint/walk.hpp"
 #include "interpreter/sight.hpp"
@@ -69,11 +70,12 @@ class Askers {
 struct Look {
   const Program& program;
   Askers& askers;
+  const std::vector<bool>& snapping_calls;
   bool waits = false, of_group = false;
 
   void step(const Step& step) {
-    waits =
-        waits || (step.kind == StepKind::operation && program.calls[step.what].operation->waits);
+    if (step.kind != StepKind::operation) return;
+    waits = waits || program.calls[step.what].operation->waits || snapping_calls[step.what];
   }
   void expression(ExprId id) {
     const Asks asked = askers.asked(id);
@@ -84,17 +86,20 @@ struct Look {
 
 }  // namespace
 
-/// A rule set waits when one of its productions asks, or one that `super` leads to: a shape waits
-/// before it is known which is drawn.
+/// A rule set waits when one of its productions asks or snaps, or one that `super` leads to: a
+/// shape waits before it is known which is drawn.
 void Compiler::find_waiting() {
-  program_.asks = std::ranges::find(program_.nodes, Asks::others, asked_by) != program_.nodes.end();
+  const std::vector<bool> snapping = snapping_calls();
+  program_.snaps = std::ranges::find(snapping, true) != snapping.end();
+  program_.asks = program_.snaps ||
+                  std::ranges::find(program_.nodes, Asks::others, asked_by) != program_.nodes.end();
   program_.reads_corners = std::ranges::any_of(program_.nodes, is_corner);
   Askers askers(program_);
   // A rule set's super was declared before it.
   for (RuleSet& set : program_.rule_sets) {
     std::optional<uint16_t> stage;
     bool says_super = false;
-    Look look{program_, askers};
+    Look look{program_, askers, snapping};
     for (uint32_t i = set.first; i < set.first + set.count; ++i) {
       const Production& production = program_.productions[i];
       if (walk_production(program_, production, look)) says_super = true;
@@ -184,7 +189,12 @@ ExprId Compiler::group_question(const syntax::Call& call, Span at, NameScope& sc
 
 /// Labels may come from any text of the script.
 void Compiler::intern_texts() {
-  if (std::ranges::none_of(program_.nodes, is_question)) return;
+  const auto snaps = [](const Value& value) {
+    return value.type == Type::string && is_snapping_axis(value.string());
+  };
+  if (std::ranges::none_of(program_.nodes, is_question) &&
+      std::ranges::none_of(program_.constants, snaps))
+    return;
   for (const Value& value : program_.constants) {
     if (value.type == Type::string) program_.symbols.intern(value.string());
   }

@@ -151,6 +151,16 @@ class Compiler {
   [[noreturn]] void refuse_two_stages(const RuleSet& set, uint16_t stage,
                                       const Production& production) const;
 
+  // compile_snapping.cpp
+  std::vector<bool> snapping_calls() const;
+  void check_snapping();
+  void check_planes(const Call& call);
+  void check_axis_word(const Call& call);
+  void check_snap_options(const Call& call);
+  void check_snap_label(const Call& call, std::span<const std::string_view> labels);
+  const Value* constant_value(ExprId id) const;
+  std::optional<std::string_view> constant_text(ExprId id) const;
+
   // check_constants.cpp
   void check_constants();
   void check_axis(const Call& call);

@@ -102,13 +102,13 @@ Edges Context::take<Edges>(std::size_t i) {
 }
 
 template <>
-Sizes Context::take<Sizes>(std::size_t i) {
-  return {static_cast<uint32_t>(i)};
+Sizes Context::take<Sizes>(std::size_t) {
+  return {call.operation->count};
 }
 
 template <>
-Values Context::take<Values>(std::size_t i) {
-  return {static_cast<uint32_t>(i)};
+Values Context::take<Values>(std::size_t) {
+  return {call.operation->count};
 }
 
 template <>

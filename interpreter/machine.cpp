@@ -28,6 +28,7 @@ void Machine::derive(const Footprint& input, Building& result) {
     if (keeps_tree) building->tree.push_back({start, Shape::none, false});
     stack_.push_back(start);
     derive_all();
+    for (SnapSplit& split : result.snap_splits) split.late = planes.any(split.to);
   } catch (Failure& failure) {
     explain(failure.diagnostic);
     auto warnings = std::move(result.warnings);
@@ -131,6 +132,7 @@ Shape Machine::footprint_shape() {
   shape.scope.x = {along.x, 0, -along.y};
   shape.scope.z = {along.y, 0, along.x};
   shape.scope.size = {pooled.natural.x, 0, pooled.natural.y};
+  planes.clear(shape.scope.origin);
   shape.style = program.main_style;
   shape.symbol = program.styles[program.main_style].start;
   shape.seed = building_seed_;

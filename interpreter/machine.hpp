@@ -16,6 +16,8 @@
 #include "interpreter/random.hpp"
 #include "interpreter/shape.hpp"
 #include "interpreter/sizes.hpp"
+#include "interpreter/snap_lines.hpp"
+#include "interpreter/snap_planes.hpp"
 #include "interpreter/world.hpp"
 
 namespace mansard {
@@ -113,6 +115,8 @@ class Machine {
   void note_choice(const Call& call, std::size_t part, const std::string& why);
   /// Whether the score of an alternative is being evaluated.
   bool scores() const { return scoring_; }
+  /// Whether shapes of the rule being derived waited, so that a split of it may snap.
+  bool has_waited() const { return program.rule_sets[current_rules_].waits; }
 
   // ---- looks
   const Material& material(uint32_t number) const;
@@ -143,6 +147,8 @@ class Machine {
   Meeting* meeting = nullptr;  ///< the round that is being answered
   int lod = 3;                 ///< level of detail to derive at
   bool keeps_tree = false;
+  SnapPlanes planes;                 ///< empty unless the program snaps
+  std::vector<SnapLine> snap_lines;  ///< of the split being solved
 
   /// Holds a number of levels of evaluation; too many are an error of the style's.
   class Deeper {
@@ -311,6 +317,13 @@ Setting Context::take<Setting>(std::size_t i);
 template <class T>
 struct taker {
   static T take(Context& c, std::size_t i) { return c.take<T>(i); }
+};
+template <class T>
+struct taker<Option<T>> {
+  static Option<T> take(Context& c, std::size_t i) {
+    if (!c.given(i)) return {};
+    return c.take<T>(i);
+  }
 };
 template <class T>
 struct taker<std::optional<T>> {

@@ -116,6 +116,12 @@ std::string wrong_component(double number) {
   return "no component has the number " + number_text(number);
 }
 
+bool is_tolerance(double metres) { return metres >= 0 && metres <= 100; }
+
+std::string wrong_tolerance(double metres) {
+  return "a tolerance lies between 0 and 100 m, not " + number_text(metres);
+}
+
 Diagnostic size_count_error(const Call& call, std::size_t sizes) {
   const std::size_t parts = call.parts.size();
   Diagnostic d;

@@ -32,6 +32,9 @@ std::string wrong_angle(double degrees);
 /// Whether a number can be that of a component, and what to say if it can not.
 bool is_component_number(double number);
 std::string wrong_component(double number);
+/// Whether a number can be the tolerance of a split that snaps, in metres, and what to say if not.
+bool is_tolerance(double metres);
+std::string wrong_tolerance(double metres);
 Diagnostic size_count_error(const Call& call, std::size_t sizes);
 
 }  // namespace mansard

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -38,11 +39,24 @@ struct Operation {
   void (*invoke)(Context&) = nullptr;
   std::array<Parameter, max_parameters> parameters{};
   uint8_t count = 0, required = 0;
-  bool variadic = false;  ///< the last parameter takes the rest
+  bool variadic = false;  ///< parameter `rest` takes the arguments that the others leave
+  uint8_t rest = 0;
   bool is_split = false;
   bool waits = false;  ///< its rule waits for a round
 
   std::string_view parameter_name(std::size_t i) const { return name_of(args, i); }
+  /// The parameter that the argument number `slot` of a Call is for.
+  std::size_t parameter_of(std::size_t slot) const { return slot < count ? slot : rest; }
+  bool may_be_left_out(std::size_t i) const {
+    return parameters[i].optional && !(variadic && i == rest);
+  }
+  /// How many arguments may be given without their names, and the parameter of the i-th of them.
+  std::size_t places() const;
+  std::size_t parameter_at(std::size_t place) const;
+  /// The number of the parameter of this name; `count` if there is none.
+  std::size_t find_parameter(std::string_view word) const;
+  /// "axis, size": the names of those that are given by place.
+  std::string names_by_place() const;
 };
 
 std::span<const Operation> operations();

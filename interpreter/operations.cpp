@@ -17,7 +17,9 @@ consteval Operation signature_of(void (*)(Context&, P...)) {
   for (std::size_t i = 0; i < row.count; ++i) {
     const Parameter p = row.parameters[i];
     if (!p.optional) row.required = static_cast<uint8_t>(i + 1);
-    if (p.type == ArgType::sizes || p.type == ArgType::values) row.variadic = true;
+    if (p.type != ArgType::sizes && p.type != ArgType::values) continue;
+    row.variadic = true;
+    row.rest = static_cast<uint8_t>(i);
   }
   row.invoke = [](Context& c) {
     [&]<std::size_t... I>(std::index_sequence<I...>) { F(c, taker<P>::take(c, I)...); }
@@ -57,15 +59,15 @@ namespace op = operation;
 
 constexpr std::array rows{
     row<op::subdiv>(
-        "split", "subdiv", "axis, size", sizes, "",
+        "split", "subdiv", "axis, size, to, tolerance", sizes, "",
         "Divides the shape along an axis, or an angle in its plane, into one part for each size.",
         "extrude(6) comp { front : subdiv(\"Y\", 3, 1r) { GROUND_FLOOR | UPPER_FLOOR } }"),
-    row<op::repeat>("split", "repeat", "axis, size, mode", body, "",
+    row<op::repeat>("split", "repeat", "axis, size, mode, to, tolerance", body, "",
                     "Divides the shape into as many equal parts of about the size as fit; mode is "
                     "\"nearest\", \"fit\" or \"ceil\".",
                     "extrude(6) comp { front : repeat(\"X\", 2.2) { TILE } }"),
     row<op::split>(
-        "split", "split", "axis", pattern, "",
+        "split", "split", "axis, to, tolerance", pattern, "",
         "Divides the shape by a pattern of sizes in which groups { ... }* repeat.",
         "extrude(6) comp { front : split(\"X\") { 1 : PIER | { ~2 : BAY | 1 : PIER }* } }"),
     row<op::comp>("components", "comp", "selector", selectors, "",
@@ -178,6 +180,11 @@ constexpr std::array rows{
                       "Whether the solids of this shape, and of all that is derived from it, cover "
                       "others that ask: true or false.",
                       "extrude(4) occluder(false) SCAFFOLD"),
+    row<op::snap>("context", "snap", "planes, label", without, "",
+                  "Records planes of the scope, on both sides of it, for splits to snap to whose "
+                  "axis is written with an S: \"XZ\", \"YZ\", \"XY\" or several.",
+                  "extrude(6) comp { front : subdiv(\"Y\", 3.2, 1r) { [ snap(\"XZ\") ] LOW | "
+                  "HIGH } | side : FACADE }"),
     row<op::set>("context", "set", "variable, value", without, "",
                  "Gives a variable another value for this shape and all that is derived from it.",
                  "set(Test.Height, 5) extrude(Height) MASS"),
@@ -194,16 +201,15 @@ constexpr std::array rows{
                   "Stops the building with a message of the style's own.", ""),
 };
 
-constexpr std::array<std::string_view, 11> later{"snap",     "stain",    "material",  "uv",
-                                                 "union",    "subtract", "intersect", "layers",
-                                                 "relayout", "group",    "nearest"};
+constexpr std::array<std::string_view, 10> later{"stain",    "material",  "uv",     "union",
+                                                 "subtract", "intersect", "layers", "relayout",
+                                                 "group",    "nearest"};
 
 struct LaterWords {
   std::string_view parameter;
   std::array<std::string_view, 10> words;
 };
 constexpr std::array later_words{
-    LaterWords{"axis", {"XS", "YS", "ZS", "xs", "ys", "zs"}},
     LaterWords{"corners", {"mitre"}},
 };
 
@@ -214,6 +220,33 @@ std::span<const Operation> operations() { return rows; }
 const Operation* find_operation(std::string_view name) {
   const auto it = std::ranges::find(rows, name, &Operation::name);
   return it == rows.end() ? nullptr : &*it;
+}
+
+std::size_t Operation::places() const {
+  const auto given = std::span(parameters).first(count);
+  return static_cast<std::size_t>(std::ranges::count(given, false, &Parameter::named));
+}
+
+std::size_t Operation::parameter_at(std::size_t place) const {
+  std::size_t i = 0;
+  for (; i < count; ++i) {
+    if (!parameters[i].named && place-- == 0) break;
+  }
+  return i < count ? i : variadic ? rest : count;
+}
+
+std::size_t Operation::find_parameter(std::string_view word) const {
+  std::size_t i = 0;
+  while (i < count && parameter_name(i) != word) ++i;
+  return i;
+}
+
+std::string Operation::names_by_place() const {
+  std::string names;
+  for (std::size_t i = 0; i < places(); ++i) {
+    names += (i == 0 ? "" : ", ") + std::string(parameter_name(parameter_at(i)));
+  }
+  return names;
 }
 
 bool is_later_operation(std::string_view name) {

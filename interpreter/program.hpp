@@ -267,6 +267,7 @@ struct Program {
   std::deque<LinkedStyle> linked;
   bool asks = false;           ///< some rule asks about other shapes
   bool reads_corners = false;  ///< corner.left or corner.right
+  bool snaps = false;          ///< some split snaps, which asks, too
 
   /// Where a value was written, in a script or on the command line; nowhere when it was computed.
   Span origin(const Value& value) const;

@@ -34,16 +34,21 @@ void Machine::answer_round() {
   uint16_t stage = 0xffff;
   for (const Shape& shape : waiting_)
     stage = std::min(stage, program.rule_sets[rules_of(shape)].stage);
-  const auto later = std::stable_partition(waiting_.begin(), waiting_.end(), [&](const Shape& s) {
-    return program.rule_sets[rules_of(s)].stage == stage;
-  });
   Meeting& round = meetings_[meetings_.take()];
   round.open();
-  round.shapes.assign(waiting_.begin(), later);
-  waiting_.erase(waiting_.begin(), later);
+  auto kept = waiting_.begin();
+  for (const Shape& shape : waiting_) {
+    if (program.rule_sets[rules_of(shape)].stage == stage) {
+      round.shapes.push_back(shape);
+    } else {
+      *kept++ = shape;
+    }
+  }
+  waiting_.erase(kept, waiting_.end());
   world.freeze();
   ++rounds_;
-  if (keeps_tree) building->rounds.push_back({stage, round.shapes.size(), {}});
+  if (program.snaps) planes.freeze(*this);
+  if (keeps_tree) building->rounds.push_back({stage, round.shapes.size(), {}, {}});
   last_cover.known = false;
   for (Shape& shape : round.shapes) show(shape, false);
   for (uint32_t i = 0; i < round.shapes.size(); ++i) {

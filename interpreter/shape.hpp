@@ -2,6 +2,7 @@
 // record that is copied by value; what does not fit lies in the derivation's pools.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -50,6 +51,7 @@ struct Shape {
   bool plain = false;        ///< is a terminal whatever the rules say (the end of super)
   EdgeTag tag;               ///< of the wall that it is or came from
   bool hides = true;         ///< occluder(): its solids cover others
+  bool massive = false;      ///< solid that stands on the ground or on a flat face, not on a wall
   uint32_t geometry = none;  ///< in the pool of polygons or meshes
 
   // ---- look
@@ -80,5 +82,16 @@ struct Shape {
   double depth_size() const { return scope.size.z; }
 };
 static_assert(std::is_trivially_copyable_v<Shape> && sizeof(Shape) == 256);
+
+inline bool is_flat(const Shape& shape) {
+  return shape.form == Form::rectangle || shape.form == Form::polygon;
+}
+/// Flat shapes within 45 degrees of horizontal rise as masses; all else is relief.
+inline bool rises(const Shape& shape) {
+  return shape.ground || std::abs(shape.scope.z.y) >= 0.7071;
+}
+inline bool is_solid(const Shape& shape) {
+  return shape.form == Form::box || shape.form == Form::prism || shape.form == Form::mesh;
+}
 
 }  // namespace mansard

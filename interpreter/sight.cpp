@@ -20,10 +20,6 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-bool is_flat(const Shape& shape) {
-  return shape.form == Form::rectangle || shape.form == Form::polygon;
-}
-
 /// The thing that is nearest, and the places on the shape and on it.
 struct Thing {
   Nearest3 places{{}, {}, never};

@@ -27,6 +27,13 @@ enum class ArgType : uint8_t {
 struct Parameter {
   ArgType type = ArgType::value;
   bool optional = false;
+  bool named = false;  ///< given by its name only
+};
+
+/// An argument that may be left out and that only its name gives: `tolerance = 0.2`.
+template <class T>
+struct Option : std::optional<T> {
+  using std::optional<T>::optional;
 };
 
 /// A number of metres, or a share of the scope along the axis it stands for.
@@ -108,6 +115,11 @@ struct parameter_of<Setting> {
 template <class T>
 struct parameter_of<std::optional<T>> {
   static constexpr Parameter is{parameter_of<T>::is.type, true};
+};
+
+template <class T>
+struct parameter_of<Option<T>> {
+  static constexpr Parameter is{parameter_of<T>::is.type, true, true};
 };
 
 inline constexpr std::size_t max_parameters = 16;

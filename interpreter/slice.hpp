@@ -3,18 +3,10 @@
 
 #include <vector>
 
+#include "interpreter/axes.hpp"
 #include "interpreter/machine.hpp"
 
 namespace mansard {
-
-enum class Axis : uint8_t { x, y, z };
-
-inline double& along(Vec3& v, Axis axis) {
-  return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
-}
-inline double along(const Vec3& v, Axis axis) {
-  return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
-}
 
 /// Calls f(piece) for each piece of the shape between low and high metres along the axis: one for
 /// rectangles and boxes, maybe several for concave polygons. Sides that the cut makes are marked.

@@ -27,6 +27,7 @@ class Trial {
         rules_(machine.current_rules_),
         lod_(machine.lod),
         keeps_tree_(machine.keeps_tree) {
+    if (machine.program.snaps) planes_ = machine.planes;
     std::swap(stack_, machine.stack_);
     std::swap(waiting_, machine.waiting_);
     Building& side = machine.trials_[machine.trials_.take()];
@@ -51,6 +52,7 @@ class Trial {
     machine_.emitted = emitted_;
     machine_.nodes_.resize(nodes_);
     machine_.world.go_back(solids_, frozen_);
+    if (machine_.program.snaps) machine_.planes = std::move(planes_);
     machine_.expanding = expanding_;
     machine_.current_rules_ = rules_;
     machine_.lod = lod_;
@@ -63,6 +65,7 @@ class Trial {
   Machine& machine_;
   std::vector<Machine::Count> counts_;
   std::vector<Shape> stack_, waiting_;
+  SnapPlanes planes_;
   Building* building_;
   Meeting* meeting_;
   const Production* production_;

@@ -10,10 +10,6 @@
 
 namespace mansard {
 
-bool is_solid(const Shape& shape) {
-  return shape.form == Form::box || shape.form == Form::prism || shape.form == Form::mesh;
-}
-
 Box3 bounds_of(const Scope& scope) {
   std::array<Vec3, 8> corners;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -80,7 +80,6 @@ class World {
   std::unordered_map<uint32_t, SolidMesh> solids_, blocks_;
 };
 
-bool is_solid(const Shape& shape);
 /// The box around a shape's scope.
 Box3 bounds_of(const Scope& scope);
 

@@ -165,8 +165,9 @@ void Completer::in_text() {
   if (call.name == "per") return symbols(style_);
   if (call.name == "style") return styles({});
   const Operation* const row = find_operation(call.name);
-  if (!row || call.argument >= row->count) return;
-  if (row->parameters[call.argument].type == ArgType::edges || row->rule == PartRule::selectors)
+  if (!row || row->parameter_at(call.argument) >= row->count) return;
+  if (row->parameters[row->parameter_at(call.argument)].type == ArgType::edges ||
+      row->rule == PartRule::selectors)
     selectors({});
 }
 

@@ -18,6 +18,7 @@ std::string snippet(const Operation& operation) {
   std::string text = std::string(operation.name) + "(";
   const bool bare = operation.rule == PartRule::selectors;  // comp { side : … }
   for (std::size_t i = 0; !bare && i < operation.required; ++i) {
+    if (operation.parameters[i].optional) continue;
     const std::string field =
         "${" + std::to_string(i + 1) + ":" + std::string(operation.parameter_name(i)) + "}";
     const bool quoted =

@@ -12,11 +12,25 @@ struct Signature {
   std::string label, documentation;
   std::vector<std::string> parameters;
   bool variadic = false;
+  std::size_t places = 0;  ///< of the parameters, those that are given by place
 };
 
-template <class Row>
-Signature signature_of(const Row& row, std::string label) {
-  Signature made{std::move(label), page(row), {}, row.variadic};
+Signature signature_of(const Operation& row) {
+  Signature made{usage(row), page(row), {}, row.variadic, row.places()};
+  for (std::size_t i = 0; i < row.places(); ++i)
+    made.parameters.emplace_back(row.parameter_name(row.parameter_at(i)));
+  for (std::size_t i = 0; i < row.count; ++i) {
+    if (row.parameters[i].named) made.parameters.emplace_back(row.parameter_name(i));
+  }
+  return made;
+}
+
+Signature signature_of(const Function& row) {
+  Signature made{std::string(row.name) + "(" + std::string(row.args) + ")",
+                 page(row),
+                 {},
+                 row.variadic,
+                 row.count};
   for (std::size_t i = 0; i < row.count; ++i) made.parameters.emplace_back(row.parameter_name(i));
   return made;
 }
@@ -49,9 +63,9 @@ Signature declared_signature(View& view, const Place& place, const OpenCall& cal
 
 Signature find_signature(View& view, const Place& place, const OpenCall& call) {
   if (call.is_step) {
-    if (const Operation* row = find_operation(call.name)) return signature_of(*row, usage(*row));
+    if (const Operation* row = find_operation(call.name)) return signature_of(*row);
   } else if (const Function* row = find_function(call.name)) {
-    return signature_of(*row, std::string(row->name) + "(" + std::string(row->args) + ")");
+    return signature_of(*row);
   }
   if (call.name == "attr") return {"attr(name, default)", word_page("attr"), {"name", "default"}};
   return declared_signature(view, place, call);
@@ -77,7 +91,7 @@ Json signature_help(Project& project, const Params& params) {
       signature.put("documentation",
                     Json::object({{"kind", "markdown"}, {"value", found.documentation}}));
     std::size_t active = call->argument;
-    if (found.variadic) active = std::min(active, found.parameters.size() - 1);
+    if (found.variadic) active = std::min(active, found.places - 1);
     return Json::object({{"signatures", Json::array({signature})},
                          {"activeSignature", 0},
                          {"activeParameter", active}});

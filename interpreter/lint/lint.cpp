@@ -15,6 +15,7 @@ void lint(const Program& program, const syntax::File& file, Diagnostics& diagnos
   warn_of_indices(linting);
   warn_of_shadows(linting);
   warn_of_defaults(linting);
+  warn_of_snapping(linting);
 }
 
 Linting::Linting(const Program& p, const syntax::File& f, Diagnostics& d)

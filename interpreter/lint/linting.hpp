@@ -51,5 +51,6 @@ void warn_of_chances(Linting& linting);
 void warn_of_indices(Linting& linting);
 void warn_of_shadows(Linting& linting);
 void warn_of_defaults(Linting& linting);
+void warn_of_snapping(Linting& linting);
 
 }  // namespace mansard

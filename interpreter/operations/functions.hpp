@@ -6,9 +6,13 @@
 namespace mansard::operation {
 
 // split.cpp
-void subdiv(Context&, Value axis, Sizes sizes);
-void repeat(Context&, Value axis, double size, std::optional<std::string_view> mode);
-void split(Context&, Value axis);
+void subdiv(Context&, Value axis, Sizes sizes, Option<std::string_view> to,
+            Option<double> tolerance);
+void repeat(Context&, Value axis, double size, std::optional<std::string_view> mode,
+            Option<std::string_view> to, Option<double> tolerance);
+void split(Context&, Value axis, Option<std::string_view> to, Option<double> tolerance);
+// snap.cpp
+void snap(Context&, std::string_view planes, std::optional<std::string_view> label);
 // component.cpp
 void comp(Context&, std::optional<Edges> selector);
 // mass.cpp

@@ -83,6 +83,7 @@ void insert(Context& c, std::string_view path, std::optional<std::string_view> f
 
 void box(Context& c) {
   need_size(c);
+  c.shape.massive = is_flat(c.shape) ? rises(c.shape) : is_solid(c.shape) && c.shape.massive;
   c.shape.form = Form::box;
   c.shape.geometry = Shape::none;
   c.shape.ground = false;

@@ -10,13 +10,6 @@
 namespace mansard {
 namespace {
 
-/// Flat shapes within 45 degrees of horizontal rise as masses; all else is relief.
-bool rises(const Shape& shape) { return shape.ground || std::abs(shape.scope.z.y) >= 0.7071; }
-
-bool is_flat(const Shape& shape) {
-  return shape.form == Form::rectangle || shape.form == Form::polygon;
-}
-
 void need_flat(Context& c) {
   if (is_flat(c.shape)) return;
   c.machine.fail(c.call.at,
@@ -72,6 +65,7 @@ void extrude(Context& c, double height, std::optional<std::string_view> corners)
   const bool mass = rises(c.shape);
   if (height == 0 || (!mass && c.machine.lod <= 2)) return c.become(c.shape);
   Shape solid = raised(c.shape, height);
+  solid.massive = mass;
   if (mass) {
     solid.mass = true;
     if (c.machine.lod == 1) {

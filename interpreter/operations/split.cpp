@@ -6,6 +6,7 @@
 #include "interpreter/component.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
+#include "interpreter/operations/snapping.hpp"
 #include "interpreter/slice.hpp"
 
 namespace mansard {
@@ -17,6 +18,7 @@ constexpr std::size_t most_parts = 100'000;
 /// Along what a split runs: an axis of the scope, or a direction in the face's plane.
 struct Direction {
   Axis axis = Axis::x;
+  bool snaps = false;
   bool diagonal = false;
   Vec2 along;       ///< unit, diagonal only
   double from = 0;  ///< where the shape begins along the diagonal
@@ -44,17 +46,11 @@ Direction direction_of(Context& c, const Value& axis) {
     return d;
   }
   if (axis.type != Type::string) c.wrong_type(0, axis, "\"X\", \"Y\", \"Z\" or an angle");
-  const std::string_view word = axis.string();
-  const char letter = word.size() == 1 ? static_cast<char>(word[0] & ~0x20) : '\0';
-  if (letter < 'X' || letter > 'Z') {
-    if (is_later_word("axis", word)) {
-      c.fail(0,
-             "snapping with \"" + std::string(word) + "\" comes with a later version of Mansard");
-    }
-    c.fail(0, "\"" + std::string(word) + "\" is not an axis",
-           "write \"X\", \"Y\", \"Z\" or an angle");
-  }
-  d.axis = static_cast<Axis>(letter - 'X');
+  const auto named = axis_named(axis.string());
+  if (!named) c.fail(0, wrong_axis(axis.string()), axis_help(axis.string()));
+  d.axis = *named;
+  d.snaps = axis.size == 2;
+  const char letter = "XYZ"[static_cast<int>(d.axis)];
   d.whole = along(c.shape.scope.size, d.axis);
   if (d.whole < touch) {
     c.fail(
@@ -157,11 +153,19 @@ void lay_out(Context& c, std::size_t first, std::size_t n, double whole, F make)
   }
 }
 
+/// How many parts of about `size` a length is divided into: one at least.
+double times(double length, double size, const std::optional<std::string_view>& mode) {
+  const double exact = length / size;
+  if (!mode || *mode == "nearest") return std::max(1.0, std::round(exact));
+  return std::max(1.0, *mode == "fit" ? std::floor(exact + 1e-9) : std::ceil(exact - 1e-9));
+}
+
 }  // namespace
 
 namespace operation {
 
-void subdiv(Context& c, Value axis, Sizes sizes) {
+void subdiv(Context& c, Value axis, Sizes sizes, Option<std::string_view> to,
+            Option<double> tolerance) {
   const Direction d = direction_of(c, axis);
   auto& values = c.machine.size_values;
   values.clear();
@@ -175,6 +179,7 @@ void subdiv(Context& c, Value axis, Sizes sizes) {
   auto& lengths = c.machine.scratch_sizes;
   const std::size_t first = lengths.size();
   report_leftover(c, solve_sizes(values, d.whole, lengths), d.whole);
+  if (d.snaps) snap_lengths(c, d.axis, first, {to, tolerance});
   lay_out(c, first, n, d.whole, [&](std::size_t i, double low, double high) {
     cut_slice(c, d, low, high, [&](Shape& piece) {
       mark(piece, d, i, n, 0);
@@ -184,34 +189,40 @@ void subdiv(Context& c, Value axis, Sizes sizes) {
   lengths.resize(first);
 }
 
-void repeat(Context& c, Value axis, double size, std::optional<std::string_view> mode) {
+/// Between each line that it snaps to and the next for itself.
+void repeat(Context& c, Value axis, double size, std::optional<std::string_view> mode,
+            Option<std::string_view> to, Option<double> tolerance) {
   const Direction d = direction_of(c, axis);
   if (size <= 0) c.fail(1, "the size to repeat must be more than 0, it is " + number_text(size));
-  const double exact = d.whole / size;
-  double count = 0;
-  if (!mode || *mode == "nearest") {
-    count = std::round(exact);
-  } else if (*mode == "fit") {
-    count = std::floor(exact + 1e-9);
-  } else if (*mode == "ceil") {
-    count = std::ceil(exact - 1e-9);
-  } else {
+  if (mode && *mode != "nearest" && *mode != "fit" && *mode != "ceil") {
     c.fail(2, "\"" + std::string(*mode) + "\" is no way to repeat",
            "\"nearest\", \"fit\" or \"ceil\"");
   }
-  count = std::max(1.0, count);
+  auto& edges = c.machine.scratch_sizes;
+  const std::size_t first = edges.size();
+  edges.push_back(0);
+  if (d.snaps) push_snap_lines(c, d.axis, {to, tolerance});
+  edges.push_back(d.whole);
+  const std::size_t last = edges.size() - 1;
+  double count = 0;
+  for (std::size_t k = first; k < last; ++k) count += times(edges[k + 1] - edges[k], size, mode);
   if (count > most_parts) {
     c.fail(1, "this makes " + number_text(count) + " parts of " + number_text(size) + " m");
   }
-  const auto n = static_cast<std::size_t>(count);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double low = d.whole * (static_cast<double>(i) / count);
-    const double high = i + 1 == n ? d.whole : d.whole * (static_cast<double>(i + 1) / count);
-    cut_slice(c, d, low, high, [&](Shape& piece) {
-      mark(piece, d, i, n, i);
-      c.part(i, piece);
-    });
+  std::size_t i = 0;
+  for (std::size_t k = first; k < last; ++k) {
+    const double from = edges[k], room = edges[k + 1] - from;
+    const double n = times(room, size, mode);
+    for (double j = 0; j < n; ++j, ++i) {
+      const double low = from + room * (j / n);
+      const double high = j + 1 == n ? edges[k + 1] : from + room * ((j + 1) / n);
+      cut_slice(c, d, low, high, [&](Shape& piece) {
+        mark(piece, d, i, static_cast<std::size_t>(count), i);
+        c.part(i, piece);
+      });
+    }
   }
+  edges.resize(first);
 }
 
 }  // namespace operation
@@ -288,7 +299,7 @@ void unroll(Context& c, const std::vector<CallPart>& parts, double room, std::si
 namespace operation {
 
 /// CGA's full pattern: groups repeat round(room / natural length) times and their floats stretch.
-void split(Context& c, Value axis) {
+void split(Context& c, Value axis, Option<std::string_view> to, Option<double> tolerance) {
   const Direction d = direction_of(c, axis);
   Pattern pattern;
   if (c.call.starred) {
@@ -307,6 +318,7 @@ void split(Context& c, Value axis) {
   auto& lengths = c.machine.scratch_sizes;
   const std::size_t first = lengths.size(), n = pattern.sizes.size();
   report_leftover(c, solve_sizes(pattern.sizes, d.whole, lengths), d.whole);
+  if (d.snaps) snap_lengths(c, d.axis, first, {to, tolerance});
   lay_out(c, first, n, d.whole, [&](std::size_t i, double low, double high) {
     cut_slice(c, d, low, high, [&](Shape& piece) {
       mark(piece, d, i, n, pattern.rounds[i]);
@@ -349,17 +361,14 @@ bool Machine::fits(uint32_t number, const Env& env) {
   Shape shape = *env.shape;
   Context c(*this, call, shape, env);
   const Value axis = c.value(0);
-  const char letter =
-      axis.type == Type::string && axis.size == 1 ? static_cast<char>(axis.text[0] & ~0x20) : '\0';
-  const bool named = letter >= 'X' && letter <= 'Z';
-  const double whole = named ? along(shape.scope.size, static_cast<Axis>(letter - 'X'))
-                             : direction_of(c, axis).whole;
+  const auto named = axis.type == Type::string ? axis_named(axis.string()) : std::nullopt;
+  const double whole = named ? along(shape.scope.size, *named) : direction_of(c, axis).whole;
   double fixed = 0;
   if (!call.parts.empty() && call.parts[0].labelled) {
     fixed = fixed_length(*this, call.parts, env, whole);
   }
   for (std::size_t i = 1; i < call.args.size(); ++i) {
-    const std::size_t known = std::min<std::size_t>(i, call.operation->count - 1u);
+    const std::size_t known = call.operation->parameter_of(i);
     if (call.args[i].value != none && !call.operation->parameters[known].optional) {
       fixed += fixed_length(*this, call.args[i], env, whole);
     }

@@ -288,6 +288,51 @@ TEST_CASE("buildings that ask are the same on any number of threads") {
   }
 }
 
+TEST_CASE("the lines that splits snapped to, as text and as JSON") {
+  const std::string script = root + "/tests/golden/derive/snap_tolerance.style";
+  const std::string text = run({"tree", script, "rect:8x8", "--rounds"}).out;
+  CHECK(
+      text.starts_with("round 1, stage 1: 4 shapes waited\n"
+                       "  FIRST (node 3): subdiv(\"XS\", 2.2, 2.5, 1r) snaps to 3 of 4 lines\n"
+                       "    0 m: snap in RECORD (node 2)\n"
+                       "    2 m: snap in RECORD (node 2)\n"
+                       "    4 m, not taken: snap in RECORD (node 2)\n"
+                       "    5 m: snap in RECORD (node 2)\n"));
+  const json rounds = json::parse(run({"tree", script, "rect:8x8", "--rounds", "--json"}).out);
+  const json& first = rounds[0]["snaps"][0];
+  CHECK(first["symbol"] == "FIRST");
+  CHECK(first["split"] == "subdiv(\"XS\", 2.2, 2.5, 1r)");
+  CHECK(first["lines"][2] ==
+        json{{"at", 4.0}, {"taken", false}, {"by", "snap in RECORD (node 2)"}});
+  const std::string masses =
+      run({"tree", root + "/tests/golden/derive/snap_masses.style", "rect:10x4", "--rounds"}).out;
+  CHECK(masses.find("snaps to 2 of 2 lines\n    0 m: a face of LOW (node 2)\n") !=
+        std::string::npos);
+}
+
+TEST_CASE("buildings that snap are the same on any number of threads") {
+  const TemporaryFolder folder;
+  const std::string script = written(folder, "snap.style", R"(style Snap {
+    Mass   { FOOTPRINT -> [ extrude(BUILDING_HEIGHT) MASS ] s(50%, 100%, 50%) extrude(rand(3, 5)) MASS   MASS -> comp { side : FACADE } }
+    Facade { FACADE -> subdiv("YS", 3, 1r) { repeat("X", rand(2, 3)) { snap("YZ") SHOP } | repeat("XS", 1.3) { TILE } }
+             @stage(2) TILE -> subdiv("XS", 1r, 0.7, 1r) { WALL | PANE | WALL } }
+})");
+  const auto derive = [&](const std::string& name, const std::string& threads) {
+    const Run made = run({"derive", script, root + "/examples/quarter/footprints.geojson",
+                          "--threads", threads, "--quiet", "-o", folder / name});
+    CHECK_MESSAGE(made.status == 0, made.err);
+    return contents(folder / name);
+  };
+  const std::string one = derive("one.obj", "1");
+  CHECK(one.find("g PANE") != std::string::npos);
+  for (const char* const threads : {"2", "7"}) {
+    std::string more = derive("more.obj", threads);
+    for (auto at = more.find("more."); at != std::string::npos; at = more.find("more.", at))
+      more.replace(at, 4, "one");
+    CHECK(more == one);
+  }
+}
+
 TEST_CASE("help knows every command, operation, function and topic") {
   std::vector<std::string> words{"derive",     "check",     "tree",     "render", "help",
                                  "operations", "functions", "warnings", "W001"};

@@ -112,3 +112,51 @@ TEST_CASE("render warns of what derive warns of") {
   }
   CHECK(has(desk.said("vary", {"--count", "2"}), "warning[W010]"));
 }
+
+namespace {
+
+/// A facade whose floors snap in X and Y, in a style with or without something to snap to.
+std::string snapping(const std::string& mass, const std::string& shop) {
+  return "style House {\n    Mass { FOOTPRINT -> " + mass +
+         "   MASS -> comp { front : FACADE } }\n"
+         "    Facade {\n"
+         "        FACADE -> subdiv(\"YS\", 2, 1r) { " +
+         shop +
+         " | FLOOR }\n"
+         "        FLOOR  -> repeat(\"XS\", 1) { TILE }\n    }\n}\n";
+}
+
+const std::string one_mass = "extrude(4) MASS";
+
+}  // namespace
+
+TEST_CASE("splits that snap and never meet a line are told of at the end, once each") {
+  const std::string nothing =
+      "note: \"YS\" in 'FACADE' (house.style:4) snapped to nothing: no plane was recorded, and no "
+      "other mass meets its own\n"
+      "note: \"XS\" in 'FLOOR' (house.style:5) snapped to nothing: no plane was recorded, and no "
+      "other mass meets its own\n";
+  CHECK(Desk(snapping(one_mass, "SHOP")).said("tree") == nothing);
+  CHECK(Desk(snapping(one_mass, "SHOP")).said("tree", {}, "rect:1x1") == nothing);
+  const std::string recorded = Desk(snapping(one_mass, "snap(\"YZ\") SHOP")).said("tree");
+  CHECK(recorded ==
+        "note: \"YS\" in 'FACADE' (house.style:4) snapped to nothing: planes were recorded, but "
+        "not before its round; a later @stage of 'FACADE' sees them\n");
+  const std::string across = Desk(snapping("[ snap(\"XY\") ] " + one_mass, "SHOP")).said("tree");
+  CHECK(has(across,
+            "\"XS\" in 'FLOOR' (house.style:5) snapped to nothing: no plane crosses its shape\n"));
+  CHECK(Desk(snapping("[ extrude(4) MASS ] t(0, 0, 2) s(2, 0, 4) extrude(3) MASS",
+                      "snap(\"YZ\") SHOP"))
+            .said("tree")
+            .empty());
+}
+
+TEST_CASE("a label that nothing bears in a run is told of") {
+  const Desk desk(R"(style House {
+    Mass { FOOTPRINT : W > 50 -> snap("XZ", "rare") FOOTPRINT   FOOTPRINT : else -> extrude(4) comp { front : FACADE } }
+    Facade { FACADE -> repeat("YS", 1, to = "rare") { FLOOR } }
+})");
+  CHECK(desk.said("tree") ==
+        "note: \"YS\" in 'FACADE' (house.style:3) snapped to nothing: no plane and no mass that "
+        "meets its own has this label\n");
+}

@@ -139,6 +139,11 @@ CONSTRUCTS = {
     "group below a symbol": r'group\.any\(.*, "ROW"\)',
     "alternatives": r"\bbest\((?s:.*?)\) \{ .* \| ",
     **{f"{f}()": rf"\b{f}\(" for f in ("made", "report")},
+    **{f"axis {a}S": rf'(subdiv|repeat|split)\("{a}S"' for a in "XYZ"},
+    **{f"snapping {w}": rf'\b{w}\("[XYZ]S"' for w in ("subdiv", "repeat", "split")},
+    "snap": r'\bsnap\("YZ"\)',
+    "snap to a label": r'\bto = "',
+    "tolerance": r"\btolerance = 0",
     "@stage": r"@stage\(2\)",
     "occluder": r"\boccluder\(",
     # elements and materials

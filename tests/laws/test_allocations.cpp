@@ -79,3 +79,16 @@ TEST_CASE("guards, indices, drawn sizes and reports need no heap") {
 })"),
                    20) == 0);
 }
+
+TEST_CASE("splits that snap need no heap") {
+  CHECK(heap_calls(Script::text(R"(style A {
+    Mass  { FOOTPRINT -> [ s(6, 0, 8) extrude(12) MASS ] t(6, 0, 0) s(4, 0, 8) extrude(7) MASS   MASS -> comp { side : FACADE } }
+    Facade {
+        FACADE -> subdiv("YS", 3, 1r) { repeat("X", 2.5) { snap("YZ", "shop") SHOP } | UPPER }
+        UPPER  -> repeat("YS", 3) { snap("XZ") FLOOR }
+        FLOOR  -> repeat("XS", 1.2, to = "shop") { TILE }
+        TILE   -> subdiv("XS", 0.2, 1r, 0.2) { WALL | PANE | WALL }
+    }
+})"),
+                   20) == 0);
+}

@@ -194,7 +194,8 @@ class Completion(Case):
         self.assertEqual(self.signature("TILE -> detrude($"),
                          ("detrude(depth) { inner | reveal }", ["depth"], 0))
         self.assertEqual(self.signature('TILE -> subdiv("Y", 1r, (2 + 3) * max(1, 2), $) { A }'),
-                         ("subdiv(axis, size) { PART | ... }", ["axis", "size"], 1))
+                         ("subdiv(axis, size, to =, tolerance =) { PART | ... }",
+                          ["axis", "size", "to", "tolerance"], 1))
         self.assertEqual(self.signature("TILE -> extrude(min(W, $"),
                          ("min(values)", ["values"], 0))
         self.assertEqual(self.signature("TILE -> extrude(2 * ($"),
