@@ -239,6 +239,21 @@ TEST_CASE("library buildings on real footprints are whole") {
   check_whole(real_footprints(), std::getenv("MANSARD_LONG_TESTS") ? 5 : 25);
 }
 
+TEST_CASE("coarse levels of detail keep the mass of library buildings") {
+  for (const Sheet& sheet : chosen_sheets()) {
+    CAPTURE(sheet.style);
+    const Script script = script_of(sheet);
+    Footprint on = footprint("rect:40x30");
+    set_height(on, 30);
+    const Box3 whole = bounds(script.derive(on).surface.points);
+    for (const int lod : {1, 2}) {
+      const Box3 coarse = bounds(script.derive(on, {.lod = lod}).surface.points);
+      CHECK(coarse.high.y > (lod == 1 ? 0.4 : 0.95) * whole.high.y);
+      CHECK(coarse.size().x > 39.9);
+    }
+  }
+}
+
 TEST_CASE("a library building of 300 square metres takes at most 20 ms") {
   for (const Sheet& sheet : chosen_sheets()) {
     const Script script = script_of(sheet);
