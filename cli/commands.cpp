@@ -86,7 +86,8 @@ constexpr auto tree_flags =
            Flag{"--symbol", "NAME", "only what hangs below shapes of this symbol"},
            Flag{"--depth", "N", "only this many levels"}, Flag{"--dot", "", "a graph for Graphviz"},
            Flag{"--rounds", "", "what shapes asked about others, what came of it and why"},
-           derivation_flags, printing_flags);
+           Flag{"--sizes", "", "what the sizes ':' of splits measured and got"}, derivation_flags,
+           printing_flags);
 constexpr auto render_flags = joined(
     Flag{"-o,--output", "PICTURE.png", "the picture to write"},
     Flag{"--camera", "VIEW", "iso (default), street, or x,y,z,tx,ty,tz: eye and target in metres"},

@@ -55,7 +55,15 @@ was before. Parts go by place or by name: detrude(0.2) { inner : GLASS | reveal 
 
 r and % stand against a number or a parenthesis: (Share)r. A list of metres is spliced in:
 subdiv("Y", Storeys, 1r) with var Storeys = [3, 2.8, 2.8]. One part for several sizes repeats:
-{ FLOOR[split.index] }. When there is too little room, sizes are cut at the end, and counted.)"},
+{ FLOOR[split.index] }. When there is too little room, sizes are cut at the end, and counted.
+
+  :        as long as what is derived from the part is by itself: what it has in metres, its elements' meshes
+
+subdiv("X", 1r, :, 1r) { WALL | Group | WALL } leaves to Group how wide it is. Rules and elements are drawn
+as they will be. Floats and repeats in the part prefer theirs, shares and plain terminals need nothing. In too
+little room all ':' shrink, down to what is fixed in them. What is measured can not read its size along the
+axis; fits holds meanwhile. repeat("X", :) { BAY } takes the bay's own. mansard tree FILE.style FOOTPRINT
+--sizes says what was measured.)"},
     Topic{
         "selectors", "The words of comp, and of edges",
         R"(  side (facades, sidefaces)  front back left right  top bottom  vertical horizontal slanted

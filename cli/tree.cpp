@@ -166,6 +166,47 @@ void print_rounds_json(const Tree& tree, const Building& building) {
               all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
+/// "exactly 1.2 m", "0.6 to 2 m, 1.2 preferred".
+std::string natural_text(const NaturalSize& natural) {
+  if (natural.minimum == natural.maximum) return "exactly " + number(natural.preferred) + " m";
+  const std::string most = natural.maximum < NaturalSize::unbounded
+                               ? number(natural.minimum) + " to " + number(natural.maximum) + " m"
+                               : "at least " + number(natural.minimum) + " m";
+  return most + ", " + number(natural.preferred) + " preferred";
+}
+
+/// What came of the sizes ':', split by split.
+void print_sizes(const Tree& tree, const Building& building) {
+  if (building.measures.empty()) std::printf("no size ':' was measured\n");
+  for (const MeasuredPart& measured : building.measures) {
+    std::printf("%s (node %u): part %zu of %s along %c needs %s, got %s m\n",
+                tree.symbol(measured.node).c_str(), measured.node, measured.part + 1,
+                std::string(measured.split.text()).c_str(), letter_of(measured.axis),
+                natural_text(measured.natural).c_str(), number(measured.got).c_str());
+  }
+}
+
+void print_sizes_json(const Tree& tree, const Building& building) {
+  auto all = nlohmann::ordered_json::array();
+  for (const MeasuredPart& measured : building.measures) {
+    const NaturalSize& natural = measured.natural;
+    nlohmann::ordered_json json{{"node", measured.node},
+                                {"symbol", tree.symbol(measured.node)},
+                                {"operation", measured.split.text()},
+                                {"axis", std::string(1, letter_of(measured.axis))},
+                                {"part", measured.part},
+                                {"minimum", natural.minimum},
+                                {"preferred", natural.preferred}};
+    json["maximum"] = natural.maximum < NaturalSize::unbounded
+                          ? nlohmann::ordered_json(natural.maximum)
+                          : nlohmann::ordered_json(nullptr);
+    json["got"] = measured.got;
+    all.push_back(std::move(json));
+  }
+  std::printf("%s\n",
+              all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+}
+
 /// The topmost shapes of a symbol.
 std::vector<uint32_t> roots_of(const Tree& tree, const std::string& symbol) {
   std::vector<uint32_t> roots;
@@ -206,6 +247,10 @@ int tree(Session& session, const Arguments& arguments) {
                   arguments.number("--depth", 1'000'000, 1, 1'000'000));
   if (arguments.has("--rounds")) {
     arguments.has("--json") ? print_rounds_json(tree, building) : print_rounds(tree, building);
+    return exit_done;
+  }
+  if (arguments.has("--sizes")) {
+    arguments.has("--json") ? print_sizes_json(tree, building) : print_sizes(tree, building);
     return exit_done;
   }
   std::vector<uint32_t> roots{0};

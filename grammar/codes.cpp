@@ -250,6 +250,14 @@ masses that its own one meets. Here no rule says snap(), and there is one mass o
     FACADE    -> repeat("XS", 2) { TILE }
 
 Record planes where the lines are: GROUND -> repeat("X", 3.5) { snap("YZ") SHOP }, or write "X".)"},
+    CodePage{
+        "W028", "Nothing in a part says how long it is, and its size is ':'.",
+        R"(A size ':' is as long as what is derived from the part: the fixed sizes of its splits, its elements' meshes.
+Where there are none along that axis, as in a plain wall, it takes its share of the room, like 1r.
+
+    FLOOR -> subdiv("X", :, 1r) { WALL | TILE }            // how wide is a WALL?
+
+Say 1r, or give the part a size.)"},
 };
 
 }  // namespace

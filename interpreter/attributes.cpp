@@ -4,6 +4,7 @@
 #include "geometry/offset.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/machine.hpp"
+#include "interpreter/measure.hpp"
 
 namespace mansard {
 namespace {
@@ -112,6 +113,7 @@ double Machine::attribute_number(Attribute which, const Shape& s) {
 
 Value Machine::attribute(Attribute which, const Shape* shape, uint32_t id) {
   if (!shape) fail(program.spans[id], "there is no shape to read here");
+  if (measuring) measurer_->note_read(which, *shape, id);
   switch (which) {
     case Attribute::is_rectangle:
       return Value::of(shape->form == Form::rectangle ||

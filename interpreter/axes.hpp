@@ -19,6 +19,9 @@ inline double along(const Vec3& v, Axis axis) {
   return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
 }
 
+/// "X", as scripts write it.
+inline char letter_of(Axis axis) { return "XYZ"[static_cast<int>(axis)]; }
+
 /// "X", or "XS" of a split that snaps, in any case.
 std::optional<Axis> axis_named(std::string_view word);
 bool is_snapping_axis(std::string_view word);

@@ -10,7 +10,9 @@
 
 #include "geometry/mesh.hpp"
 #include "grammar/diagnostic.hpp"
+#include "interpreter/axes.hpp"
 #include "interpreter/material.hpp"
+#include "interpreter/natural_size.hpp"
 #include "interpreter/shape.hpp"
 
 namespace mansard {
@@ -50,6 +52,16 @@ struct Snapping {
   uint32_t node = Shape::none;
   std::string split;
   std::vector<Line> lines;
+};
+
+/// What came of a size ':'.
+struct MeasuredPart {
+  uint32_t node = Shape::none;  ///< whose rule split itself
+  Span split;                   ///< the operation's name
+  Axis axis = Axis::x;
+  std::size_t part = 0;  ///< which of its parts
+  NaturalSize natural;
+  double got = 0;  ///< metres
 };
 
 /// What a shape asked about others: an expression, what came of it and which solids decided.
@@ -97,11 +109,12 @@ struct Building {
   std::string id;
   Surface surface;  ///< runs carry Program symbols, and materials: first the program's, then
                     ///< `materials`
-  std::vector<Material> materials;  ///< looks that only this building has
-  std::vector<TreeNode> tree;       ///< depth-first, only when DeriveOptions::keep_tree
-  std::vector<Round> rounds;        ///< likewise
-  std::vector<uint32_t> terminals;  ///< how many, by symbol
-  std::vector<uint32_t> taken;      ///< how often, by production of the program
+  std::vector<Material> materials;     ///< looks that only this building has
+  std::vector<TreeNode> tree;          ///< depth-first, only when DeriveOptions::keep_tree
+  std::vector<Round> rounds;           ///< likewise
+  std::vector<MeasuredPart> measures;  ///< likewise
+  std::vector<uint32_t> terminals;     ///< how many, by symbol
+  std::vector<uint32_t> taken;         ///< how often, by production of the program
   std::vector<CutSplit> cuts;
   std::vector<SnapSplit> snap_splits;
   std::map<std::string, ReportEntry> report;
@@ -118,6 +131,7 @@ struct Building {
     materials.clear();
     tree.clear();
     rounds.clear();
+    measures.clear();
     std::fill(terminals.begin(), terminals.end(), 0);
     std::fill(taken.begin(), taken.end(), 0);
     cuts.clear();

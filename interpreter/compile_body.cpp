@@ -3,6 +3,7 @@
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/random.hpp"
 #include "interpreter/roof_words.hpp"
 #include "interpreter/words_elsewhere.hpp"
 
@@ -178,6 +179,25 @@ void Compiler::emit_elsewhere(const syntax::Emit& e, Span at, NameScope& scope,
   arguments(e, scope, step);
   if (e.index) step.index = expression(*e.index, scope);
   steps.push_back(step);
+}
+
+/// The hash of the first symbol in text order; that of no name when there is none.
+uint64_t Compiler::first_symbol(BodyId id) const {
+  constexpr uint64_t no_symbol = hash_of("");
+  const Body body = program_.bodies[id];
+  for (uint32_t i = body.first; i < body.first + body.count; ++i) {
+    const Step& step = program_.steps[i];
+    if (step.kind == StepKind::emit) return hash_of(program_.symbols[step.what]);
+    uint64_t found = no_symbol;
+    if (step.kind == StepKind::push) found = first_symbol(step.what);
+    if (step.kind == StepKind::operation) {
+      for (const CallPart& part : program_.calls[step.what].parts) {
+        if (part.group.empty() && found == no_symbol) found = first_symbol(part.body);
+      }
+    }
+    if (found != no_symbol) return found;
+  }
+  return no_symbol;
 }
 
 /// The first split in text order, whatever it stands in; none when there is none.

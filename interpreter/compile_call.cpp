@@ -56,6 +56,13 @@ uint32_t Compiler::operation_call(const Operation& operation, const syntax::Emit
   call.salt = hash_of(operation.name) + (scope.salt ? (*scope.salt)++ : 0u);
   call_arguments(call, e, scope);
   call_parts(call, e, scope);
+  call.measures = name_streams(call.parts);
+  for (const SizeExpr& size : call.args) {
+    call.measures = call.measures || size.kind == syntax::SizeKind::dont_care;
+  }
+  const auto is_group = [](const CallPart& part) { return !part.group.empty(); };
+  call.parts_repeat =
+      call.parts.size() == 1 || call.starred || std::ranges::any_of(call.parts, is_group);
   program_.calls.push_back(std::move(call));
   return static_cast<uint32_t>(program_.calls.size() - 1);
 }
@@ -146,22 +153,42 @@ std::size_t Compiler::argument_place(const Operation& operation, const syntax::A
          meant(arg.name.text, names));
 }
 
+/// A size ':', 0 metres until it is measured.
+SizeExpr Compiler::unmeasured(Span at) {
+  return {syntax::SizeKind::dont_care, constant(Value::of(0.0), at)};
+}
+
+/// Whether a size among the parts is ':'; of all of them, groups too, the streams of what they
+/// emit: a part is known by the first symbol in it and how many before it have the same.
+bool Compiler::name_streams(std::vector<CallPart>& parts) {
+  bool measures = false;
+  std::vector<uint64_t> before;
+  for (CallPart& part : parts) {
+    measures = name_streams(part.group) || measures;
+    measures = measures || part.size.kind == syntax::SizeKind::dont_care;
+    const uint64_t first = part.group.empty() ? first_symbol(part.body) : part.group[0].stream;
+    part.stream = mix(first, static_cast<uint64_t>(std::ranges::count(before, first)));
+    before.push_back(first);
+  }
+  return measures;
+}
+
 SizeExpr Compiler::size_argument(const Operation& operation, std::size_t place,
                                  const syntax::Arg& arg, NameScope& scope) {
   using enum syntax::SizeKind;
   const std::size_t known = operation.parameter_of(place);
   const ArgType type = operation.parameters[known].type;
   const syntax::SizeKind kind = arg.value.kind;
-  if (kind == dont_care)
-    refuse(arg.at, "sizes that do not care ':' come with a later version of Mansard");
+  const bool of_repeat = operation.name == "repeat" && place == 1;
   const bool allowed = kind == absolute || type == ArgType::sizes ||
                        (type == ArgType::length && kind == percent) ||
-                       (kind == floating && operation.name == "repeat" && place == 1);
+                       (of_repeat && (kind == floating || kind == dont_care));
   if (!allowed) {
     refuse(arg.at, quoted(arg.at.text()) + " is a size of a split, but " +
                        quoted(operation.parameter_name(known)) + " of " + quoted(operation.name) +
                        " is a plain value");
   }
+  if (kind == dont_care) return unmeasured(arg.at);
   SizeExpr size;
   size.kind = kind;
   try {
@@ -269,9 +296,9 @@ void Compiler::part_label(const Operation& operation, const syntax::Part& part, 
       out.size = {label.kind, expression(*label.value, scope)};
       return;
     case PartRule::pattern:
-      if (label.kind == syntax::SizeKind::dont_care)
-        refuse(label.at, "sizes that do not care ':' come with a later version of Mansard");
-      out.size = {label.kind, expression(*label.value, scope)};
+      out.size = label.kind == syntax::SizeKind::dont_care
+                     ? unmeasured(label.at)
+                     : SizeExpr{label.kind, expression(*label.value, scope)};
       return;
     default:
       refuse(label.at, "parts of " + quoted(operation.name) + " have no labels",

@@ -110,6 +110,9 @@ class Compiler {
                              std::size_t position);
   SizeExpr size_argument(const Operation& operation, std::size_t place, const syntax::Arg& arg,
                          NameScope& scope);
+  SizeExpr unmeasured(Span at);
+  bool name_streams(std::vector<CallPart>& parts);
+  uint64_t first_symbol(BodyId body) const;
   void refuse_compared_name(const Operation& operation, const syntax::Arg& arg,
                             const NameScope& scope);
   void setting_argument(Call& call, const syntax::Arg& arg, NameScope& scope);

@@ -15,7 +15,24 @@ void Context::go_on(const CallPart& given_part, std::size_t i, Shape& piece) {
   }
   const Scope frame = piece.scope;
   const Env inner{&piece, env.parameters, mix(env.draws, mix(call.salt, i)), &frame};
+  if (!apart_) return machine.run(given_part.body, piece, inner);
+  const Machine::Apart numbered(machine, stream_of(given_part, piece));
   machine.run(given_part.body, piece, inner);
+}
+
+void Context::look_apart() {
+  apart_ = true;
+  stream_ = machine.stream_of_split();
+}
+
+void Context::count_apart() {
+  if (!call.measures) return;
+  look_apart();
+  machine.count_split();
+}
+
+uint64_t Context::stream_of(const CallPart& given_part, const Shape& piece) const {
+  return mix(stream_, mix(given_part.stream, call.parts_repeat ? piece.split_index : 0));
 }
 
 void Context::part(std::size_t i, Shape& piece) {

@@ -232,16 +232,21 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
   }
 }
 
-/// One alternative by weight, fitted to the scope; a flat scope keeps the mesh's own depth.
-bool Machine::draw_element(const Shape& shape, uint32_t number) {
-  const ElementTable& table = program.element_tables[number];
-  if (table.choices.empty() || shape.form == Form::line) return false;
+/// One alternative by weight.
+const ElementTable::Choice& Machine::choose_element(const ElementTable& table, const Shape& shape) {
   double draw = unit_interval(mix(shape.seed, hash_of("element"))) * table.total;
   std::size_t chosen = 0;
   while (chosen + 1 < table.choices.size() && draw >= table.choices[chosen].weight) {
     draw -= table.choices[chosen++].weight;
   }
-  const ElementTable::Choice& choice = table.choices[chosen];
+  return table.choices[chosen];
+}
+
+/// One alternative, fitted to the scope; a flat scope keeps the mesh's own depth.
+bool Machine::draw_element(const Shape& shape, uint32_t number) {
+  const ElementTable& table = program.element_tables[number];
+  if (table.choices.empty() || shape.form == Form::line) return false;
+  const ElementTable::Choice& choice = choose_element(table, shape);
   const std::size_t level = lod >= 3 ? 0 : choice.meshes.size() - 1;
   const Mesh* const mesh = choice.meshes[level];
   if (!mesh) return false;

@@ -1,16 +1,19 @@
 // A symbol in a successor becomes a child shape; one without rules a terminal.
+#include <algorithm>
+
 #include "interpreter/machine.hpp"
 #include "interpreter/messages.hpp"
 
 namespace mansard {
 
-void Machine::emit_value(const Step& s, const Shape& shape, const Env& env) {
+/// Of a parameter or variable that stands as a symbol.
+Value Machine::emitted_symbol(const Step& s, const Env& env) {
   const Value value = evaluate(s.what, env);
   if (value.type != Type::symbol) {
     fail(s.at, "'" + std::string(s.at.text()) + "' stands as a symbol but is " +
                    std::string(described(value.type)));
   }
-  emit(s, value.symbol, value.size > 0 ? value.size - 1 : shape.style, shape, env);
+  return value;
 }
 
 uint16_t Machine::style_named(const Value& name, Span at) const {
@@ -30,18 +33,16 @@ uint16_t Machine::style_named(const Value& name, Span at) const {
             : "write at the top: import \"FILE.style\", the file that has it");
 }
 
-void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& shape,
-                   const Env& env) {
-  ++emitted;
-  if (symbol == nil_symbol) return;
-  Shape& child = stack_.emplace_back(shape);  // where it stays unless it is a terminal
+/// Makes the child of a copy of its parent.
+void Machine::make_child(const Step& s, uint32_t symbol, uint32_t style, const Env& env,
+                         Shape& child) {
   child.symbol = symbol;
   child.style = static_cast<uint16_t>(style);
   if (s.style_of != none) {
     child.style = style_named(evaluate(s.style_of, env), program.spans[s.style_of]);
   }
-  child.plain = s.kind == StepKind::super || shape.plain;
-  child.depth = static_cast<uint16_t>(shape.depth + 1);
+  child.plain = s.kind == StepKind::super || child.plain;
+  child.depth = static_cast<uint16_t>(child.depth + 1);
   if (s.index != none) child.index = number(s.index, env);
   if (!child.plain) {
     child.arguments = nullptr;
@@ -53,9 +54,45 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
       child.arguments = values;
     }
   }
-  Count& count = counts_[symbol];
-  if (count.node != expanding) count = {expanding, 0};
-  child.seed = mix(mix(nodes_[expanding].seed, program.symbol_hashes[symbol]), count.count++);
+  child.seed = next_seed(symbol);
+}
+
+/// A function of the parent's stream, the symbol and how many earlier siblings bear the same one.
+uint64_t Machine::next_seed(uint32_t symbol) {
+  const uint64_t hash = program.symbol_hashes[symbol];
+  if (!siblings_.apart) {
+    Count& count = counts_[symbol];
+    if (count.node != expanding) count = {expanding, 0};
+    return mix(mix(nodes_[expanding].seed, hash), count.count++);
+  }
+  const auto begin = sibling_counts_.begin() + static_cast<std::ptrdiff_t>(siblings_.first);
+  auto known = std::find_if(begin, sibling_counts_.end(),
+                            [&](const auto& count) { return count.first == symbol; });
+  if (known == sibling_counts_.end()) known = sibling_counts_.insert(known, {symbol, 0});
+  return mix(mix(siblings_.seed, hash), known->second++);
+}
+
+Machine::Apart::Apart(Machine& machine, uint64_t seed)
+    : machine_(machine), before_(machine.siblings_) {
+  machine.siblings_ = {true, seed, machine.sibling_counts_.size(), 0};
+}
+
+Machine::Apart::~Apart() {
+  machine_.sibling_counts_.resize(machine_.siblings_.first);
+  machine_.siblings_ = before_;
+}
+
+uint64_t Machine::stream_of_split() const {
+  const uint64_t seed = siblings_.apart ? siblings_.seed : nodes_[expanding].seed;
+  return mix(mix(seed, hash_of("split")), siblings_.splits);
+}
+
+void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& shape,
+                   const Env& env) {
+  ++emitted;
+  if (symbol == nil_symbol) return;
+  Shape& child = stack_.emplace_back(shape);  // where it stays unless it is a terminal
+  make_child(s, symbol, style, env, child);
   child.node = static_cast<uint32_t>(nodes_.size());
   nodes_.push_back({expanding, symbol, child.seed});
   if (++building->shapes > options.max_shapes) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "interpreter/building_height.hpp"
+#include "interpreter/measure.hpp"
 
 namespace mansard {
 
@@ -18,6 +19,13 @@ Machine::Machine(const Program& p, MeshSource& meshes, const DeriveOptions& o)
       property_values_(p.properties.size(), nullptr),
       property_known_(p.properties.size(), 0),
       variable_property_(p.variables.size(), none) {}
+
+Machine::~Machine() = default;
+
+Measurer& Machine::measurer() {
+  if (!measurer_) measurer_ = std::make_unique<Measurer>(*this);
+  return *measurer_;
+}
 
 void Machine::derive(const Footprint& input, Building& result) {
   reset(input, result);
@@ -84,6 +92,11 @@ void Machine::reset(const Footprint& input, Building& result) {
   current_rules_ = none;
   depth_ = super_depth_ = 0;
   calls_ = rounds_ = parts = 0;
+  siblings_ = {};
+  sibling_counts_.clear();
+  size_values.clear();
+  measuring = false;
+  if (measurer_) measurer_->reset();
   ++building_number_;
   building_seed_ = mix(options.seed, hash_of(input.id));
   for (const uint32_t slot : overridden_) variable_property_[slot] = none;
@@ -159,6 +172,7 @@ void Machine::replace(Shape& shape) {
   const RuleSet& rules = program.rule_sets[rule_set];
   const std::size_t first = stack_.size();
   emitted = 0;
+  siblings_ = {};
   // Operations change the shape; guards and arguments read it as it is at their place.
   const Scope frame = shape.scope;
   Env env{&shape, shape.arguments, shape.seed, &frame};
@@ -199,9 +213,11 @@ void Machine::step(const Step& s, Shape& shape, const Env& outer) {
     case StepKind::emit:
       emit(s, s.what, s.style == 0xffff ? shape.style : s.style, shape, env);
       break;
-    case StepKind::emit_value:
-      emit_value(s, shape, env);
+    case StepKind::emit_value: {
+      const Value symbol = emitted_symbol(s, env);
+      emit(s, symbol.symbol, symbol.size > 0 ? symbol.size - 1 : shape.style, shape, env);
       break;
+    }
     case StepKind::operation: {
       const Call& call = program.calls[s.what];
       ++building->operations;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,9 +58,12 @@ struct SettingEntry {
   Value value;
 };
 
+class Measurer;
+
 class Machine {
  public:
   Machine(const Program& program, MeshSource& meshes, const DeriveOptions& options);
+  ~Machine();
 
   void derive(const Footprint& footprint, Building& building);
 
@@ -117,6 +121,35 @@ class Machine {
   bool scores() const { return scoring_; }
   /// Whether shapes of the rule being derived waited, so that a split of it may snap.
   bool has_waited() const { return program.rule_sets[current_rules_].waits; }
+
+  // ---- sizes ':' (measure.hpp)
+  Measurer& measurer();
+  bool measuring = false;  ///< shapes are of unknown size along an axis (NaN), and nothing is drawn
+  uint32_t reads = 0;      ///< attributes read since measuring began, as bits; see Measurer
+
+  /// How the shapes that the rule emits are numbered.
+  struct Siblings {
+    bool apart = false;
+    uint64_t seed = 0;      ///< of those that are numbered apart
+    std::size_t first = 0;  ///< in sibling_counts_
+    uint32_t splits = 0;    ///< with sizes ':', so far
+  };
+  /// While it lives, what is emitted is numbered apart from the other shapes of the rule. So it has
+  /// the same random stream when it is measured as when it is derived, whatever comes of the rest.
+  class Apart {
+   public:
+    Apart(Machine& machine, uint64_t seed);
+    ~Apart();
+    Apart(const Apart&) = delete;
+    Apart& operator=(const Apart&) = delete;
+
+   private:
+    Machine& machine_;
+    Siblings before_;
+  };
+  /// Of the parts of the split with sizes ':' that comes next in the rule.
+  uint64_t stream_of_split() const;
+  void count_split() { ++siblings_.splits; }
 
   // ---- looks
   const Material& material(uint32_t number) const;
@@ -186,7 +219,9 @@ class Machine {
   void rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env& env);
   void step(const Step& step, Shape& shape, const Env& env);
   void emit(const Step& step, uint32_t symbol, uint32_t style, const Shape& shape, const Env& env);
-  void emit_value(const Step& step, const Shape& shape, const Env& env);
+  Value emitted_symbol(const Step& step, const Env& env);
+  void make_child(const Step& step, uint32_t symbol, uint32_t style, const Env& env, Shape& child);
+  uint64_t next_seed(uint32_t symbol);
   void run_super(Shape& shape, const Env& env);
   void check_arguments(const Step& step, const RuleSet& rules, const Shape& child);
   void no_candidate(const RuleSet& rules, const Shape& shape);
@@ -213,6 +248,7 @@ class Machine {
   void draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& mesh,
                  std::span<const uint32_t> own_looks);
   std::span<const uint32_t> own_looks(const Mesh& mesh);
+  static const ElementTable::Choice& choose_element(const ElementTable& table, const Shape& shape);
   bool draw_element(const Shape& shape, uint32_t table);
   UvFrame texture_frame(const Shape& shape, Vec3 normal) const;
   void push_polygon(std::span<const Vec3> loop, const Shape& shape, uint32_t look);
@@ -230,6 +266,9 @@ class Machine {
   std::size_t tried_ = 0;  ///< shapes of alternatives that were tried in this building
   std::vector<Node> nodes_;
   std::vector<Count> counts_;  ///< by symbol: how many the current rule has emitted
+  Siblings siblings_;
+  std::vector<std::pair<uint32_t, uint32_t>> sibling_counts_;  ///< symbol and how many, a stack
+  std::unique_ptr<Measurer> measurer_;                         ///< once it is needed
   Pool<PooledPolygon> polygons_;
   Pool<PooledMesh> meshes_;
   Arena<Value> values_;
@@ -254,6 +293,7 @@ class Machine {
 
   friend class BuildingValues;
   friend class Trial;
+  friend class Measurer;
   friend class Context;
 };
 
@@ -289,7 +329,16 @@ class Context {
 
   void go_on(const CallPart& part, std::size_t i, Shape& piece);
 
+  /// Numbers what the parts of a split with sizes ':' emit part by part; look_apart() for one that
+  /// is not carried out.
+  void count_apart();
+  void look_apart();
+  /// The stream of a part, of which split_index and its like are set on the piece.
+  uint64_t stream_of(const CallPart& part, const Shape& piece) const;
+
  private:
+  bool apart_ = false;
+  uint64_t stream_ = 0;
   std::array<uint32_t, most_part_names> pieces_{};  ///< given to each named part so far
 };
 

@@ -135,6 +135,7 @@ struct CallPart {
   bool labelled = false;
   BodyId body = 0;
   std::vector<CallPart> group;  ///< of a repeated group
+  uint64_t stream = 0;          ///< of what it emits, where a size of the split is ':'
   Span at;
 };
 
@@ -146,6 +147,8 @@ struct Call {
   std::vector<uint32_t> part_of;  ///< for operations with named parts: which of `parts`, or none
   bool has_parts = false;
   bool starred = false;
+  bool measures = false;      ///< a size is ':'
+  bool parts_repeat = false;  ///< several pieces may come to one part
   uint64_t salt = 0;
   uint32_t setting = none;  ///< for set(): variable slot key
   Span at, args_at, parts_at;

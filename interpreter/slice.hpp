@@ -1,12 +1,22 @@
 // Cutting a shape into slabs along an axis of its scope.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "interpreter/axes.hpp"
 #include "interpreter/machine.hpp"
 
 namespace mansard {
+
+/// Part i of n of a split along the axis (none: a diagonal), in the given round of its group.
+inline void mark_part(Shape& piece, std::optional<Axis> axis, std::size_t i, std::size_t n,
+                      std::size_t round) {
+  piece.split_index = static_cast<uint32_t>(i);
+  piece.split_count = static_cast<uint32_t>(n);
+  piece.split_round = static_cast<uint32_t>(round);
+  if (axis == Axis::y) piece.level = static_cast<uint32_t>(i);
+}
 
 /// Calls f(piece) for each piece of the shape between low and high metres along the axis: one for
 /// rectangles and boxes, maybe several for concave polygons. Sides that the cut makes are marked.

@@ -16,6 +16,8 @@ class Trial {
   explicit Trial(Machine& machine)
       : machine_(machine),
         counts_(machine.counts_),
+        siblings_(machine.siblings_),
+        sibling_counts_(machine.sibling_counts_),
         building_(machine.building),
         meeting_(machine.meeting),
         production_(machine.production),
@@ -46,6 +48,8 @@ class Trial {
     machine_.tried_ += machine_.building->shapes;
     machine_.trials_.give_back();
     machine_.counts_.swap(counts_);
+    machine_.siblings_ = siblings_;
+    machine_.sibling_counts_.swap(sibling_counts_);
     machine_.building = building_;
     machine_.meeting = meeting_;
     machine_.production = production_;
@@ -64,6 +68,8 @@ class Trial {
  private:
   Machine& machine_;
   std::vector<Machine::Count> counts_;
+  Machine::Siblings siblings_;
+  std::vector<std::pair<uint32_t, uint32_t>> sibling_counts_;
   std::vector<Shape> stack_, waiting_;
   SnapPlanes planes_;
   Building* building_;

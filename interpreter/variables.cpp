@@ -3,6 +3,7 @@
 
 #include "interpreter/building_height.hpp"
 #include "interpreter/machine.hpp"
+#include "interpreter/measure.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/units.hpp"
 
@@ -21,6 +22,7 @@ Value Machine::variable(uint32_t slot, const Env& env, uint32_t node) {
   }
   if (v.reads_shape && variable_property_[slot] == none) {
     if (depth_ > program.depths[v.value] + 1) count_call(node);
+    if (measuring && v.per != VariableSlot::Per::building) measurer_->note_draw();
     const uint64_t draws = env.shape ? stream_of(v.per, v.per_symbol, *env.shape, v.salt)
                                      : mix(building_seed_, v.salt);
     return evaluate(v.value, Env{env.shape, nullptr, draws, nullptr});

@@ -41,6 +41,8 @@ void upright(Context&, std::optional<std::string_view> kind, std::optional<doubl
              std::optional<double> overhang, std::optional<double> thickness);
 // insert.cpp
 void insert(Context&, std::string_view mesh, std::optional<std::string_view> fit);
+/// The mesh in place of the shape, without going on with it.
+void put_mesh(Context&, std::string_view mesh, std::optional<std::string_view> fit);
 void box(Context&);
 void quad(Context&);
 void cylinder(Context&, std::optional<double> sides);

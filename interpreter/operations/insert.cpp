@@ -52,6 +52,11 @@ const Mesh* find_mesh(Context& c, const std::string& path, std::string& problem)
 namespace operation {
 
 void insert(Context& c, std::string_view path, std::optional<std::string_view> fit) {
+  put_mesh(c, path, fit);
+  c.become(c.shape);
+}
+
+void put_mesh(Context& c, std::string_view path, std::optional<std::string_view> fit) {
   const std::string_view mode = fit.value_or("fit");
   if (mode != "fit" && mode != "keep" && mode != "keep_ratio") {
     c.fail(1, "\"" + std::string(mode) + "\" is no way to fit a mesh",
@@ -78,7 +83,6 @@ void insert(Context& c, std::string_view path, std::optional<std::string_view> f
   if (size.x <= 0) size.x = natural.x;
   if (size.y <= 0) size.y = natural.y;
   if (size.z <= 0) size.z = natural.z;
-  c.become(shape);
 }
 
 void box(Context& c) {

@@ -264,6 +264,34 @@ TEST_CASE("the rounds of questions, as text and as JSON") {
   CHECK(run({"tree", box, "rect:10x8", "--rounds"}).out == "nothing was asked\n");
 }
 
+TEST_CASE("what sizes ':' measured, as text and as JSON") {
+  const TemporaryFolder folder;
+  const std::string script = written(folder, "groups.style", R"(style Groups { Front {
+    FOOTPRINT -> extrude(3) comp { front : FACADE }
+    FACADE    -> subdiv("X", 6, :, :) { WALL | Elastic | Stiff }
+    Elastic   -> subdiv("X", ~2, 0.5) { WALL | Stiff }
+    Stiff     -> subdiv("X", 0.8) { WINDOW }
+    WINDOW    -> repeat("X", :) { Pane }
+    Pane      -> subdiv("X", ~0.2) { GLASS }
+  } })");
+  const Run text = run({"tree", script, "rect:8x8", "--sizes"});
+  CHECK(text.status == 0);
+  CHECK(
+      text.out ==
+      "FACADE (node 1): part 2 of subdiv along X needs at least 0.5 m, 2.5 preferred, got 1.2 m\n"
+      "FACADE (node 1): part 3 of subdiv along X needs exactly 0.8 m, got 0.8 m\n"
+      "WINDOW (node 7): part 1 of repeat along X needs at least 0 m, 0.2 preferred, got 0.166667 "
+      "m\n"
+      "WINDOW (node 14): part 1 of repeat along X needs at least 0 m, 0.2 preferred, got 0.2 m\n");
+  const json sizes = json::parse(run({"tree", script, "rect:8x8", "--sizes", "--json"}).out);
+  REQUIRE(sizes.size() == 4);
+  CHECK(sizes[0]["symbol"] == "FACADE");
+  CHECK(sizes[0]["part"] == 1);
+  CHECK(sizes[0]["maximum"].is_null());
+  CHECK(sizes[1]["maximum"] == 0.8);
+  CHECK(run({"tree", box, "rect:10x8", "--sizes"}).out == "no size ':' was measured\n");
+}
+
 TEST_CASE("buildings that ask are the same on any number of threads") {
   const TemporaryFolder folder;
   const std::string script = written(folder, "ask.style", R"(style Ask {

@@ -102,6 +102,55 @@ TEST_CASE("shares are shares of what the others leave, floats fill or keep what 
   }
 }
 
+TEST_CASE("sizes of all kinds fill the room: 100,000 random splits") {
+  using enum syntax::SizeKind;
+  std::mt19937 random(2013);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<double> lengths;
+  for (int round = 0; round < 100'000; ++round) {
+    CAPTURE(round);
+    const double whole = 0.5 + 20 * unit(random);
+    std::vector<SizeValue> sizes;
+    for (std::size_t n = 1 + random() % 8; n > 0; --n) {
+      const auto kind = std::array{absolute, percent, relative, floating, dont_care}[random() % 5];
+      SizeValue size{kind, 0.01 + 3 * unit(random) * (kind == percent ? 10 : 1)};
+      if (kind == dont_care) {
+        size.minimum = size.value * std::array{0.0, 0.5, unit(random), 1.0}[random() % 4];
+        if (random() % 2 == 0) size.maximum = size.value * (1 + (random() % 2) * unit(random));
+      }
+      sizes.push_back(size);
+    }
+    lengths.clear();
+    const double left = solve_sizes(sizes, whole, lengths);
+    REQUIRE(lengths.size() == sizes.size());
+    double sum = 0, shrinking = -1;
+    bool gives_way = false, at_minimum = true, grows = false, all_full = true;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const SizeValue& s = sizes[i];
+      sum += lengths[i];
+      REQUIRE(lengths[i] >= 0);
+      gives_way = gives_way || (s.kind != dont_care && s.kind != absolute && s.kind != percent &&
+                                lengths[i] > 1e-9);
+      if (s.kind != dont_care) continue;
+      REQUIRE(lengths[i] >= s.minimum - 1e-9);
+      REQUIRE(lengths[i] <= s.maximum + 1e-9);
+      at_minimum = at_minimum && lengths[i] < s.minimum + 1e-9;
+      grows = grows || lengths[i] > s.value + 1e-9;
+      all_full = all_full && lengths[i] > s.maximum - 1e-9;
+      if (lengths[i] < s.value - 1e-6) {  // all in proportion
+        const double part = (lengths[i] - s.minimum) / (s.value - s.minimum);
+        if (shrinking >= 0) REQUIRE(std::abs(part - shrinking) < 1e-4);
+        shrinking = part;
+      }
+    }
+    REQUIRE(std::abs(sum + left - whole) < 1e-9);
+    if (left < -1e-9) REQUIRE((at_minimum && !gives_way));  // only then are parts cut
+    if (left > 1e-9) REQUIRE((all_full && !gives_way));     // only then is a gap left
+    if (shrinking >= 0) REQUIRE((!gives_way && !grows));
+    if (grows) REQUIRE(!gives_way);
+  }
+}
+
 TEST_CASE("repeat makes round(L / w) equal parts, at least one") {
   std::mt19937 random(2010);
   for (int round = 0; round < 300; ++round) {
