@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "geometry/clip.hpp"
 #include "geometry/close_holes.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/machine.hpp"
@@ -23,6 +25,7 @@ void World::clear() {
   all_.clear();
   solids_.clear();
   blocks_.clear();
+  last_section_.solid = Shape::none;
 }
 
 uint32_t World::add(const Shape& shape, bool active) {
@@ -37,6 +40,7 @@ void World::freeze() {
 }
 
 void World::go_back(uint32_t size, uint32_t frozen_then) {
+  last_section_.solid = Shape::none;
   std::erase_if(solids_, [&](const auto& known) { return known.first >= size; });
   all_.resize(size);
   if (frozen() == frozen_then) return;
@@ -108,8 +112,34 @@ std::vector<Polygon> World::section_of(const Machine& machine, uint32_t solid, c
   if (shape.form != Form::mesh) return section(prism_of(machine, shape), frame, above);
   const SolidMesh& mesh = solid_of(machine, solid);
   if (!mesh.is_large()) return section(mesh.mesh(), frame, above);
-  const double at = dot(frame.z, frame.origin) + above;
-  return section(mesh.across(frame.z, at, nullptr), frame, above);
+  return large_section(mesh, solid, frame, above);
+}
+
+/// Faces of one wall ask about one plane: its section is kept, in a frame that does not depend on
+/// who asks first, and the part before each face is cut out.
+std::vector<Polygon> World::large_section(const SolidMesh& mesh, uint32_t solid, const Scope& frame,
+                                          double above) {
+  constexpr double nanometre = 1e-9;
+  const double at = std::round((dot(frame.z, frame.origin) + above) / nanometre) * nanometre;
+  LastSection& last = last_section_;
+  if (last.solid != solid || last.at != at || last.frame.x != frame.x || last.frame.y != frame.y) {
+    last.solid = solid;
+    last.at = at;
+    last.frame = frame;
+    last.frame.origin = frame.z * at;
+    last.pieces = section(mesh.across(frame.z, at, nullptr), last.frame, 0);
+  }
+  const Vec3 from = last.frame.to_local(frame.origin);
+  std::vector<Polygon> pieces;
+  for (const Polygon& whole : last.pieces) {
+    for (const Polygon& strip : clip_strip(whole, 0, from.x, from.x + frame.size.x)) {
+      for (Polygon& piece : clip_strip(strip, 1, from.y, from.y + frame.size.y)) {
+        translate(piece, {-from.x, -from.y});
+        pieces.push_back(std::move(piece));
+      }
+    }
+  }
+  return pieces;
 }
 
 std::vector<Polygon> World::shadow_of(const Machine& machine, uint32_t solid, const Scope& frame,

@@ -73,6 +73,16 @@ class World {
   bool is_above(uint32_t solid, uint32_t of) const;
 
  private:
+  struct LastSection {
+    uint32_t solid = Shape::none;
+    double at = 0;  ///< metres of the plane along the frame's z
+    Scope frame;
+    std::vector<Polygon> pieces;
+  };
+  std::vector<Polygon> large_section(const SolidMesh& mesh, uint32_t solid, const Scope& frame,
+                                     double above);
+
+  LastSection last_section_;
   std::vector<Occluder> all_;
   std::vector<Box3> boxes_;
   BoxIndex index_;

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "formats/streets.hpp"
 #include "tests/laws/derive.hpp"
 
 namespace {
@@ -208,4 +209,64 @@ TEST_CASE("fifty adjoining houses have windows on their free walls only") {
   CHECK(wrong == 0);
   CHECK(area_by[0] > 0.2 * whole);
   CHECK(area_by[2] > 0.1 * whole);
+}
+
+namespace {
+
+/// A style that asks much, of walls and tiles.
+const char* const curious = R"(style Curious {
+    Mass   { FOOTPRINT -> extrude(BUILDING_HEIGHT) comp { main : FACADE | corner : FACADE | side : FACADE | top : DECK } }
+    Facade { FACADE -> repeat("Y", 3) { repeat("X", 2) { TILE } } }
+    Tile {
+        TILE : Shape.occ("all") == "full"                  -> NIL
+        TILE : else !Shape.visible("street")               -> WALL
+        TILE : else corner.left < 150                      -> QUOIN
+        TILE : else nearest("street") < rand(5, 15)        -> [ t(0, 0, 0.01) extrude(0.3) BAY ] SHOP
+        TILE : else nearest("neighbours") > rand(2, 8)     -> WINDOW
+        TILE : else -> WALL
+        @stage(2) BAY : touches("noparent") -> SIGN   @stage(2) BAY : else -> AWNING
+    }
+})";
+
+}  // namespace
+
+TEST_CASE("shuffling real footprints and streets changes no byte of a building") {
+  const std::string path = MANSARD_ROOT "/../shared/data/monaco.osm.pbf";
+  if (!std::filesystem::exists(path)) {
+    MESSAGE(path, " is missing: not tested");
+    return;
+  }
+  const FootprintSet set = read_footprints(path, {});
+  std::vector<StreetLine> streets = read_streets(path, {}, set).lines;
+  std::vector<Footprint> houses = set.footprints;
+  houses.resize(400);
+  std::vector<Footprint> shuffled = houses;
+  mark_neighbours(houses, streets);
+  std::mt19937 random(2);
+  std::shuffle(shuffled.begin(), shuffled.end(), random);
+  std::shuffle(streets.begin(), streets.end(), random);
+  for (StreetLine& line : streets) std::reverse(line.begin(), line.end());
+  mark_neighbours(shuffled, streets);
+  const Script script = Script::text(curious);
+  REQUIRE_MESSAGE(script.good(), script.problems());
+  std::map<std::string, Building> buildings;
+  Derivation derivation(script.program(), script.meshes(), {});
+  for (const Footprint& house : houses) derivation.derive(house, buildings[house.id]);
+  std::size_t changed = 0;
+  std::map<std::string, std::size_t> terminals;
+  for (const Footprint& house : shuffled) {
+    Building building;
+    derivation.derive(house, building);
+    const Building& before = buildings[house.id];
+    changed += building.surface.points != before.surface.points ||
+               building.surface.ends != before.surface.ends ||
+               building.terminals != before.terminals;
+    for (const char* const name : {"WALL", "QUOIN", "SHOP", "WINDOW", "SIGN", "AWNING"})
+      terminals[name] += building.terminals[script.symbol(name)];
+  }
+  CHECK(changed == 0);
+  for (const auto& [name, count] : terminals) {
+    CAPTURE(name);
+    CHECK(count > 20);
+  }
 }
