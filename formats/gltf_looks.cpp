@@ -56,7 +56,7 @@ std::string_view type_of(std::string_view bytes, const std::string& path) {
 class Images {
  public:
   Images(const std::string& model, Spool* spool, std::size_t first_view,
-         std::vector<GltfLooks::View>& views)
+         std::vector<std::pair<uint64_t, uint64_t>>& views)
       : copies_(model), spool_(spool), first_view_(first_view), views_(views) {}
 
   std::size_t texture_of(const std::string& path) {
@@ -66,7 +66,7 @@ class Images {
     const std::string_view type = type_of(bytes, path);
     if (spool_) {
       images.push_back({{"mimeType", type}, {"bufferView", first_view_ + views_.size()}});
-      views_.push_back({spool_->bytes(), bytes.size()});
+      views_.emplace_back(spool_->bytes(), bytes.size());
       spool_->put(bytes);
       spool_->align();
     } else {
@@ -82,7 +82,7 @@ class Images {
   CopiedPictures copies_;
   Spool* spool_;
   std::size_t first_view_;
-  std::vector<GltfLooks::View>& views_;
+  std::vector<std::pair<uint64_t, uint64_t>>& views_;
   std::map<std::string, std::size_t> numbers_;
 };
 

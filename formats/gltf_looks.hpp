@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formats/spool.hpp"
@@ -21,15 +22,12 @@ class GltfLooks {
   std::string members(std::span<const Look> looks, const std::string& model, Spool* pictures,
                       std::size_t first_view);
   /// Of each picture in the spool: where it begins, and its bytes.
-  struct View {
-    uint64_t offset = 0, bytes = 0;
-  };
-  std::span<const View> views() const { return views_; }
+  std::span<const std::pair<uint64_t, uint64_t>> views() const { return views_; }
 
  private:
   std::vector<uint32_t> materials_;  ///< by look
   std::vector<uint32_t> used_;       ///< looks
-  std::vector<View> views_;
+  std::vector<std::pair<uint64_t, uint64_t>> views_;
 };
 
 /// A path as the relative address of a file beside the model.

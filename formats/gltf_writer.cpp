@@ -9,8 +9,12 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
+#include "formats/gltf_buffers.hpp"
 #include "formats/gltf_looks.hpp"
+#include "formats/gltf_placed.hpp"
 #include "formats/gltf_primitive.hpp"
 #include "formats/numbers.hpp"
 #include "formats/obj_groups.hpp"
@@ -25,33 +29,18 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr uint32_t none = 0xffffffff;
+
 /// As text for the document; bytes that are no UTF-8 are replaced.
 std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The items of one of the document's lists.
-class List {
- public:
-  explicit List(const std::string& model) : spool_(model) {}
-  /// Returns the item's number.
-  uint64_t add(std::string_view item) {
-    if (count_ > 0) spool_.put(",");
-    spool_.put(item);
-    return count_++;
-  }
-  bool empty() const { return count_ == 0; }
-  uint64_t bytes() const { return spool_.bytes(); }
-  void copy_to(OutputFile& out) { spool_.copy_to(out); }
-
- private:
-  Spool spool_;
-  uint64_t count_ = 0;
-};
-
-/// That of texture coordinates comes last: a model without textures has none.
-enum : int { points_view, normals_view, indices_view, uvs_view };
-enum : int { unsigned_short = 5123, unsigned_int = 5125, float_number = 5126 };
+/// To the numbers of a list.
+void append(std::string& numbers, uint64_t number) {
+  if (!numbers.empty()) numbers += ',';
+  numbers += std::to_string(number);
+}
 
 class GltfWriter final : public SurfaceWriter {
  public:
@@ -61,27 +50,33 @@ class GltfWriter final : public SurfaceWriter {
   std::size_t finish(std::span<const Look> looks) override;
 
  private:
-  void begin_symbol(std::string_view symbol);
+  void find_placed();
+  void add_polygons(uint32_t begin, uint32_t end);
+  std::string placed_nodes();
+  uint64_t shared_mesh(const Surface::Placed& placed);
+  void begin_primitive(uint32_t look, bool uvs);
   void end_symbol();
+  uint64_t add_mesh(const std::string& primitives);
   void end_primitive();
-  uint64_t add_vectors(int view, std::span<const float> values, int width, bool with_bounds);
-  uint64_t add_indices();
-  uint64_t place_vertices(Json& views);
   void write_document(const std::string& head, uint64_t bytes);
   void write_header(uint64_t document, uint64_t bytes);
-  void write_binary(OutputFile& out);
 
   std::string path_, comment_;
   bool binary_;  ///< .glb
   OutputFile out_;
-  std::array<Spool, 4> vertices_;  ///< by view
-  Spool pictures_;
-  List nodes_, meshes_, accessors_, roots_;
+  GltfBuffers buffers_;
+  GltfList nodes_, meshes_, roots_;
   GltfLooks looks_;
   ObjGroups groups_;
+  GltfShared shared_;
   GltfPrimitive primitive_;
-  uint32_t look_ = 0;
-  std::string symbol_, primitives_, children_;  ///< of what is being written
+  // ---- of the building that is being written
+  const Surface* surface_ = nullptr;
+  std::span<const Look> all_looks_;
+  Vec3 origin_;
+  std::vector<uint32_t> placed_symbols_;  ///< of each placed mesh; none: it is not shared
+  uint32_t symbol_ = none, look_ = 0;
+  std::string symbol_name_, primitives_, children_;
 };
 
 GltfWriter::GltfWriter(const std::string& path, const std::string& comment)
@@ -89,11 +84,9 @@ GltfWriter::GltfWriter(const std::string& path, const std::string& comment)
       comment_(comment),
       binary_(path.ends_with(".glb")),
       out_(path),
-      vertices_{Spool(path), Spool(path), Spool(path), Spool(path)},
-      pictures_(path),
+      buffers_(path),
       nodes_(path),
       meshes_(path),
-      accessors_(path),
       roots_(path) {}
 
 /// The middle of its base, to the millimetre: vertices are floats, which are precise near 0.
@@ -113,30 +106,28 @@ Json attributes_of(std::span<const Property> properties) {
 
 void GltfWriter::add(const NamedSurface& building, std::span<const std::string_view> symbols,
                      std::span<const Look> looks) {
-  const Surface& surface = *building.surface;
-  if (surface.polygons() == 0) return;
-  const Vec3 origin = origin_of(surface);
-  const bool uvs = surface.uvs.size() == surface.points.size();
+  surface_ = building.surface;
+  all_looks_ = looks;
+  if (surface_->polygons() == 0) return;
+  origin_ = origin_of(*surface_);
+  const bool uvs = surface_->uvs.size() == surface_->points.size();
   children_.clear();
-  groups_.sort(surface.runs);
+  find_placed();
+  groups_.sort(surface_->runs);
   groups_.for_each(
       [&](uint32_t symbol) {
         end_symbol();
-        begin_symbol(symbols[symbol]);
+        symbol_ = symbol;
+        symbol_name_ = text_of(Json(symbols[symbol]));
       },
-      [&](uint32_t look) {
-        end_primitive();
-        look_ = look;
-        primitive_.clear(uvs && !looks[look].texture.empty());
-      },
+      [&](uint32_t look) { begin_primitive(look, uvs); },
       [&](uint32_t run) {
-        uint32_t polygon = run == 0 ? 0 : surface.runs[run - 1].end;
-        for (; polygon < surface.runs[run].end; ++polygon) primitive_.add(surface, polygon, origin);
+        add_polygons(run == 0 ? 0 : surface_->runs[run - 1].end, surface_->runs[run].end);
       });
   end_symbol();
   if (children_.empty()) return;
   Json node{{"name", building.id}};
-  if (origin != Vec3{}) node["translation"] = {origin.x, origin.y, origin.z};
+  if (origin_ != Vec3{}) node["translation"] = {origin_.x, origin_.y, origin_.z};
   node["extras"] = {{"id", building.id}};
   if (!building.style.empty()) node["extras"]["style"] = building.style;
   if (!building.properties.empty())
@@ -146,104 +137,105 @@ void GltfWriter::add(const NamedSurface& building, std::span<const std::string_v
   roots_.add(std::to_string(nodes_.add(text)));
 }
 
-void GltfWriter::begin_symbol(std::string_view symbol) {
-  symbol_ = text_of(Json(symbol));
-  primitives_.clear();
+void GltfWriter::find_placed() {
+  placed_symbols_.clear();
+  auto run = surface_->runs.begin();
+  for (const Surface::Placed& placed : surface_->placed) {
+    while (run->end <= placed.begin) ++run;
+    placed_symbols_.push_back(is_shared(placed) ? run->symbol : none);
+  }
+}
+
+/// But those of shared meshes.
+void GltfWriter::add_polygons(uint32_t begin, uint32_t end) {
+  const auto& placed = surface_->placed;
+  auto next = std::ranges::upper_bound(placed, begin, {}, &Surface::Placed::end);
+  for (uint32_t i = begin; i < end;) {
+    while (next != placed.end() &&
+           (next->end <= i || placed_symbols_[std::size_t(next - placed.begin())] == none))
+      ++next;
+    if (next != placed.end() && next->begin <= i) {
+      i = next->end;
+    } else {
+      primitive_.add(*surface_, i++, origin_);
+    }
+  }
 }
 
 void GltfWriter::end_symbol() {
   end_primitive();
-  if (primitives_.empty()) return;
-  const uint64_t mesh =
-      meshes_.add("{\"name\":" + symbol_ + ",\"primitives\":[" + primitives_ + "]}");
-  const uint64_t node = nodes_.add("{\"name\":" + symbol_ + ",\"mesh\":" + std::to_string(mesh) +
-                                   ",\"extras\":{\"symbol\":" + symbol_ + "}}");
-  children_ += (children_.empty() ? "" : ",") + std::to_string(node);
-  primitives_.clear();
+  const std::string own = std::exchange(primitives_, {});
+  const std::string placed = placed_nodes();
+  if (own.empty() && placed.empty()) return;
+  std::string node = "{\"name\":" + symbol_name_;
+  if (!own.empty()) node += ",\"mesh\":" + std::to_string(add_mesh(own));
+  if (!placed.empty()) node += ",\"children\":[" + placed + "]";
+  append(children_, nodes_.add(node + ",\"extras\":{\"symbol\":" + symbol_name_ + "}}"));
+}
+
+uint64_t GltfWriter::add_mesh(const std::string& primitives) {
+  return meshes_.add("{\"name\":" + symbol_name_ + ",\"primitives\":[" + primitives + "]}");
+}
+
+void append(std::string& text, std::span<const double> values) {
+  for (const double value : values) {
+    char digits[number_length];
+    text.append(digits, put_number(digits, value));
+    text += ',';
+  }
+  text.back() = ']';
+}
+
+/// Numbers of the nodes that place the symbol's shared meshes.
+std::string GltfWriter::placed_nodes() {
+  std::string numbers;
+  for (std::size_t i = 0; i < placed_symbols_.size(); ++i) {
+    if (placed_symbols_[i] != symbol_) continue;
+    const Surface::Placed& placed = surface_->placed[i];
+    const GltfPlace place = place_of(placed, origin_);
+    const Vec3 t = place.translation, s = place.scale;
+    std::string node = "{\"name\":" + symbol_name_ +
+                       ",\"mesh\":" + std::to_string(shared_mesh(placed)) + ",\"translation\":[";
+    append(node, std::array{t.x, t.y, t.z});
+    node += ",\"rotation\":[";
+    append(node, place.rotation);
+    node += ",\"scale\":[";
+    append(node, std::array{s.x, s.y, s.z});
+    append(numbers, nodes_.add(node + ",\"extras\":{\"symbol\":" + symbol_name_ + "}}"));
+  }
+  return numbers;
+}
+
+/// Written when it first comes.
+uint64_t GltfWriter::shared_mesh(const Surface::Placed& placed) {
+  if (const auto known = shared_.find(*surface_, placed)) return *known;
+  const Surface own = own_frame(*surface_, placed);
+  uint32_t polygon = 0;
+  for (const Surface::Run& run : own.runs) {
+    begin_primitive(run.material, true);
+    for (; polygon < run.end; ++polygon) primitive_.add(own, polygon, {});
+  }
+  end_primitive();
+  const uint64_t mesh = add_mesh(std::exchange(primitives_, {}));
+  shared_.set(mesh);
+  return mesh;
+}
+
+void GltfWriter::begin_primitive(uint32_t look, bool uvs) {
+  end_primitive();
+  look_ = look;
+  primitive_.clear(uvs && !all_looks_[look].texture.empty());
 }
 
 void GltfWriter::end_primitive() {
   if (primitive_.empty()) return;
-  const std::string points =
-      std::to_string(add_vectors(points_view, primitive_.positions(), 3, true));
-  const std::string normals =
-      std::to_string(add_vectors(normals_view, primitive_.normals(), 3, false));
-  std::string attributes = "\"POSITION\":" + points + ",\"NORMAL\":" + normals;
-  if (primitive_.has_uvs()) {
-    const uint64_t uvs = add_vectors(uvs_view, primitive_.uvs(), 2, false);
-    attributes += ",\"TEXCOORD_0\":" + std::to_string(uvs);
-  }
-  const std::string indices = std::to_string(add_indices());
-  const std::string material = std::to_string(looks_.material_of(look_));
+  const std::string members = buffers_.add(primitive_);
   if (!primitives_.empty()) primitives_ += ",";
-  primitives_ += "{\"attributes\":{" + attributes + "},\"indices\":" + indices +
-                 ",\"material\":" + material + "}";
+  primitives_ += "{" + members + ",\"material\":" + std::to_string(looks_.material_of(look_)) + "}";
   primitive_.clear(false);
 }
 
-std::string list_of(const std::array<float, 3>& values) {
-  std::string text = "[";
-  for (const float v : values) {
-    char digits[number_length];
-    text.append(digits, std::to_chars(digits, digits + number_length, v).ptr);
-    text += ',';
-  }
-  text.back() = ']';
-  return text;
-}
-
-std::string accessor(int view, uint64_t offset, int type, uint64_t count, std::string_view shape) {
-  return "{\"bufferView\":" + std::to_string(view) + ",\"byteOffset\":" + std::to_string(offset) +
-         ",\"componentType\":" + std::to_string(type) + ",\"count\":" + std::to_string(count) +
-         ",\"type\":\"" + std::string(shape) + "\"";
-}
-
-uint64_t GltfWriter::add_vectors(int view, std::span<const float> values, int width,
-                                 bool with_bounds) {
-  Spool& spool = vertices_[static_cast<std::size_t>(view)];
-  std::string text = accessor(view, spool.bytes(), float_number, values.size() / width,
-                              width == 3 ? "VEC3" : "VEC2");
-  if (with_bounds)
-    text += ",\"min\":" + list_of(primitive_.low()) + ",\"max\":" + list_of(primitive_.high());
-  spool.put_all(values);
-  return accessors_.add(text + "}");
-}
-
-/// As short as the vertices allow; 65535 is no index.
-uint64_t GltfWriter::add_indices() {
-  Spool& spool = vertices_[indices_view];
-  const std::span<const uint32_t> indices = primitive_.indices();
-  const bool is_short = primitive_.vertices() <= std::numeric_limits<uint16_t>::max();
-  const std::string text =
-      accessor(indices_view, spool.bytes(), is_short ? unsigned_short : unsigned_int,
-               indices.size(), "SCALAR");
-  if (is_short) {
-    for (const uint32_t i : indices) {
-      const auto index = static_cast<uint16_t>(i);
-      spool.put(&index, sizeof index);
-    }
-  } else {
-    spool.put_all(indices);
-  }
-  spool.align();
-  return accessors_.add(text + "}");
-}
-
 // ---- the end
-
-/// The views of vertices one after the other. Returns where the pictures begin.
-uint64_t GltfWriter::place_vertices(Json& views) {
-  uint64_t at = 0;
-  for (std::size_t i = 0; i < vertices_.size() && vertices_[i].bytes() > 0; ++i) {
-    Json view{{"buffer", 0}, {"byteOffset", at}, {"byteLength", vertices_[i].bytes()}};
-    constexpr std::array<int, 4> strides{12, 12, 0, 8};
-    if (strides[i] > 0) view["byteStride"] = strides[i];
-    view["target"] = strides[i] > 0 ? 34962 : 34963;  // ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER
-    views.push_back(std::move(view));
-    at += vertices_[i].bytes();
-  }
-  return at;
-}
 
 /// A line of the head's comment each: style, seed, origin.
 Json asset(const std::string& comment) {
@@ -260,16 +252,10 @@ Json asset(const std::string& comment) {
 
 std::size_t GltfWriter::finish(std::span<const Look> looks) {
   Json document{{"asset", asset(comment_)}};
-  Json views = Json::array();
-  const uint64_t vertex_bytes = place_vertices(views);
-  const std::string materials =
-      looks_.members(looks, path_, binary_ ? &pictures_ : nullptr, views.size());
-  for (const GltfLooks::View& view : looks_.views()) {
-    views.push_back(
-        {{"buffer", 0}, {"byteOffset", vertex_bytes + view.offset}, {"byteLength", view.bytes}});
-  }
-  if (!views.empty()) document["bufferViews"] = views;
-  const uint64_t bytes = vertex_bytes + pictures_.bytes();
+  const std::string materials = looks_.members(
+      looks, path_, binary_ ? &buffers_.pictures() : nullptr, buffers_.vertex_views());
+  const std::string views = buffers_.views(looks_.views());
+  const uint64_t bytes = buffers_.bytes();
   const std::string bin = safe_name(fs::path(path_).stem().string()) + ".bin";
   if (bytes > 0) {
     document["buffers"] = {{{"byteLength", bytes}}};
@@ -278,12 +264,14 @@ std::size_t GltfWriter::finish(std::span<const Look> looks) {
   std::size_t beside = 0;
   if (!binary_ && bytes > 0) {  // what appears last finds the rest beside it
     OutputFile out((fs::path(path_).parent_path() / bin).string());
-    write_binary(out);
+    buffers_.copy_to(out);
     out.commit();
     beside = out.bytes();
   }
   const std::string head = text_of(document);
-  write_document(head.substr(0, head.size() - 1) + materials, bytes);
+  write_document(head.substr(0, head.size() - 1) + materials +
+                     (views.empty() ? "" : ",\"bufferViews\":[" + views + "]"),
+                 bytes);
   out_.commit();
   return out_.bytes() + beside;
 }
@@ -300,10 +288,10 @@ void put_integer(OutputFile& out, uint32_t value) {
 void GltfWriter::write_document(const std::string& head, uint64_t bytes) {
   const std::string scene =
       roots_.empty() ? ",\"scene\":0,\"scenes\":[{}]" : ",\"scene\":0,\"scenes\":[{\"nodes\":[";
-  const std::array<std::pair<std::string_view, List*>, 3> lists{
+  const std::array<std::pair<std::string_view, GltfList*>, 3> lists{
       {{"]}],\"nodes\":[", &nodes_},
        {"],\"meshes\":[", &meshes_},
-       {"],\"accessors\":[", &accessors_}}};
+       {"],\"accessors\":[", &buffers_.accessors()}}};
   uint64_t length = head.size() + scene.size() + 1;
   if (!roots_.empty()) {
     length += roots_.bytes() + 1;
@@ -326,7 +314,7 @@ void GltfWriter::write_document(const std::string& head, uint64_t bytes) {
   if (!binary_ || bytes == 0) return;
   put_integer(out_, static_cast<uint32_t>(bytes));
   put_integer(out_, 0x004e4942);  // BIN
-  write_binary(out_);
+  buffers_.copy_to(out_);
 }
 
 void GltfWriter::write_header(uint64_t document, uint64_t bytes) {
@@ -343,11 +331,6 @@ void GltfWriter::write_header(uint64_t document, uint64_t bytes) {
   put_integer(out_, static_cast<uint32_t>(whole));
   put_integer(out_, static_cast<uint32_t>(document));
   put_integer(out_, 0x4e4f534a);  // JSON
-}
-
-void GltfWriter::write_binary(OutputFile& out) {
-  for (Spool& spool : vertices_) spool.copy_to(out);
-  pictures_.copy_to(out);
 }
 
 }  // namespace

@@ -69,12 +69,21 @@ struct Surface {
     uint32_t material = 0;  ///< the caller's number of the material
     uint32_t end = 0;       ///< one past its last polygon
   };
+  /// A mesh that was drawn as a whole, so that formats can share it. Its point p is drawn at
+  /// origin + x (scale.x p.x) + y (scale.y p.y) + z (scale.z p.z).
+  struct Placed {
+    const Mesh* mesh = nullptr;  ///< the same for all that are alike; owned by who read it
+    Vec3 origin, x, y, z;        ///< orthonormal axes, left-handed when it is mirrored
+    Vec3 scale;
+    uint32_t begin = 0, end = 0;  ///< its polygons
+  };
 
   std::vector<Vec3> points;
   std::vector<Vec2> uvs;       ///< one a point, in repeats of the texture (metres without one)
   std::vector<uint32_t> ends;  ///< one past the last point of each polygon
   std::vector<Vec3> normals;   ///< one a polygon, unit length
   std::vector<Run> runs;
+  std::vector<Placed> placed;  ///< in the order of their polygons
 
   std::size_t polygons() const { return ends.size(); }
   uint32_t begin(std::size_t polygon) const { return polygon == 0 ? 0 : ends[polygon - 1]; }
@@ -87,6 +96,7 @@ struct Surface {
     ends.clear();
     normals.clear();
     runs.clear();
+    placed.clear();
   }
 };
 

@@ -213,6 +213,8 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
   const MeshMap map(pooled, s.size);
   const bool turned = mirrored(s);
   Surface& surface = building->surface;
+  const auto first = static_cast<uint32_t>(surface.polygons());
+  bool alike = pooled.borrowed;  // wherever it stands
   for (const Mesh::Face& face : mesh.faces) {
     loop_.clear();
     for (const uint32_t corner : mesh.loop(face)) {
@@ -221,6 +223,7 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
     if (turned) std::reverse(loop_.begin(), loop_.end());
     const bool own_look = face.material < own_looks.size();
     const uint32_t face_look = own_look ? own_looks[face.material] : look;
+    alike = alike && (own_look || material(look).texture.empty());
     const std::size_t before = surface.uvs.size();
     push_polygon(loop_, shape, face_look);
     if (own_look && !mesh.uvs.empty() && surface.uvs.size() > before) {
@@ -230,6 +233,9 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
     }
     if (own_look) close_run(shape.symbol, face_look);
   }
+  if (!alike) return;
+  surface.placed.push_back({&mesh, s.at(map({})), s.x, s.y, s.z, map.scale(), first,
+                            static_cast<uint32_t>(surface.polygons())});
 }
 
 /// One alternative by weight.

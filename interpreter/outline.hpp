@@ -39,6 +39,7 @@ class MeshMap {
     const Vec3 q = p - low_;
     return {q.x * scale_.x, q.y * scale_.y, q.z * scale_.z};
   }
+  Vec3 scale() const { return scale_; }
 
  private:
   static double stretch(double size, double natural) { return natural > 1e-9 ? size / natural : 1; }

@@ -325,3 +325,127 @@ TEST_CASE("a model of nothing is a model") {
   CHECK_FALSE(glb.document.contains("nodes"));
   CHECK_FALSE(glb.document.contains("buffers"));
 }
+
+namespace {
+
+/// A stool, so that no turn of it looks like another: a box with two legs, 18 quadrilaterals.
+Mesh stool() {
+  Mesh mesh;
+  const auto box = [&](Vec3 low, Vec3 high) {
+    const auto first = static_cast<uint32_t>(mesh.points.size());
+    for (int i = 0; i < 8; ++i)
+      mesh.points.push_back(
+          {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+    for (const std::array<uint32_t, 4>& face : std::array<std::array<uint32_t, 4>, 6>{
+             {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}})
+      mesh.add_face(std::array{first + face[0], first + face[1], first + face[2], first + face[3]});
+  };
+  box({0, 1, 0}, {2, 1.2, 1});
+  box({0, 0, 0}, {0.2, 1, 1});
+  box({1.8, 0, 0.5}, {2, 1, 1});
+  return mesh;
+}
+
+/// As the derivation draws it: loops of a mirrored one turned round.
+void place(Surface& s, const Mesh& mesh, const Surface::Placed& at, uint32_t symbol) {
+  Surface::Placed placed = at;
+  placed.mesh = &mesh;
+  placed.begin = static_cast<uint32_t>(s.polygons());
+  for (const Mesh::Face& face : mesh.faces) {
+    std::vector<Vec3> loop;
+    for (const uint32_t corner : mesh.loop(face)) {
+      const Vec3 p = mesh.points[corner];
+      loop.push_back(at.origin + at.x * (at.scale.x * p.x) + at.y * (at.scale.y * p.y) +
+                     at.z * (at.scale.z * p.z));
+    }
+    if (dot(cross(at.x, at.y), at.z) < 0) std::ranges::reverse(loop);
+    add_polygon(s, loop, symbol, placed.begin % 2);
+    s.runs.back().material = face.begin < 24 ? 0 : 1;
+  }
+  placed.end = static_cast<uint32_t>(s.polygons());
+  s.placed.push_back(placed);
+}
+
+/// Area and sum over triangles of area times centre and normal, which tell turned ones apart.
+struct Moments {
+  double area = 0;
+  Vec3 centre, flux;
+};
+
+Moments moments_of(const std::string& path) {
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(path, aiProcess_PreTransformVertices);
+  REQUIRE_MESSAGE(scene, importer.GetErrorString());
+  Moments m;
+  for (unsigned k = 0; k < scene->mNumMeshes; ++k) {
+    const aiMesh& mesh = *scene->mMeshes[k];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      std::array<Vec3, 3> p;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const aiVector3D v = mesh.mVertices[mesh.mFaces[f].mIndices[i]];
+        p[i] = {v.x, v.y, v.z};
+      }
+      const Vec3 twice = cross(p[1] - p[0], p[2] - p[0]), middle = (p[0] + p[1] + p[2]) * (1.0 / 3);
+      m.area += length(twice) / 2;
+      m.centre = m.centre + middle * (length(twice) / 2);
+      m.flux = m.flux + Vec3{twice.x * middle.x, twice.y * middle.y, twice.z * middle.z};
+    }
+  }
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("meshes that stand in many places are written once and stand where they were drawn") {
+  bool mirrored = false;
+  SUBCASE("as they are") {}
+  SUBCASE("some mirrored") { mirrored = true; }
+  const Folder folder;
+  const Mesh mesh = stool();
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> at(-20, 20), size(0.5, 3);
+  Surface s;
+  add_polygon(s, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 1, 0);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 x = normalized(Vec3{at(random), at(random), at(random)});
+    const Vec3 y = normalized(cross(x, Vec3{at(random), at(random), at(random)}));
+    const Vec3 z = cross(x, y) * (mirrored && i % 4 == 0 ? -1 : 1);
+    place(s, mesh,
+          {nullptr,
+           {at(random), at(random), at(random)},
+           x,
+           y,
+           z,
+           {size(random), size(random), size(random)}},
+          i % 2);
+    if (i % 7 == 0) add_polygon(s, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}, 1, 0);
+  }
+  Surface plain = s;
+  plain.placed.clear();
+  for (const auto& [name, surface] : {std::pair{"shared.glb", &s}, {"plain.glb", &plain}}) {
+    const auto writer = write_gltf(folder / name, "");
+    writer->add({"a", surface}, symbols, looks);
+    writer->finish(looks);
+  }
+  const Glb shared = read_glb(folder / "shared.glb");
+  const json& d = shared.document;
+  for (const json& one : d["meshes"]) {
+    for (const json& primitive : one["primitives"]) checked_area(shared, primitive);
+  }
+  CHECK(d["meshes"].size() == 2);  // the triangles, and the stool for both symbols
+  CHECK(d["nodes"].size() == 1 + 2 + 300);
+  CHECK(std::filesystem::file_size(folder / "shared.glb") * 4 <
+        std::filesystem::file_size(folder / "plain.glb"));
+  const Moments a = moments_of(folder / "shared.glb"), b = moments_of(folder / "plain.glb");
+  CHECK(a.area == doctest::Approx(b.area).epsilon(1e-4));
+  CHECK(length(a.centre - b.centre) < 1e-4 * b.area * 20);
+  if (!mirrored) {
+    CHECK(length(a.flux - b.flux) < 1e-3 * length(b.flux));
+    return;
+  }
+  // Which way round a mirrored node shows its triangles is for whoever reads it to know.
+  const auto is_mirrored = [](const json& node) {
+    return node.contains("scale") && node["scale"][0].get<double>() < 0;
+  };
+  CHECK(std::ranges::count_if(d["nodes"], is_mirrored) == 75);
+}
