@@ -199,9 +199,7 @@ namespace {
 
 const std::vector<std::string> rules{
     R"(FOOTPRINT -> [ s(7, 0, 8) extrude(9.3) MASS ] [ t(7, 0, 0) s(3, 0, 5) extrude(6.1) MASS ]
-                    [ t(2, 0, 8) s(3, 0, 2) extrude(3.9) MASS ]
-                    [ t(7.5, 0, 5.6) s(2, 0, 2) extrude(5.1) MASS ])",  // half a metre from the
-                                                                        // others
+                    [ t(2, 0, 8) s(3, 0, 2) extrude(3.9) MASS ])",
     R"(MASS -> comp { side : FACADE | top : ROOF })",
     R"(FACADE -> subdiv("YS", 3.3, 1r, tolerance = 1) { GROUND | UPPER })",
     R"(GROUND -> repeat("X", rand(2, 3)) { SHOP })",
