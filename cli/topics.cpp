@@ -242,7 +242,8 @@ over only when they begin with this first line.)"},
   -o town.gltf    glTF 2.0 as text, with town.bin and textures beside it
 
 In glTF every building is a node with its id, style and the footprint's attributes as extras; below it is a
-node for each symbol. Metres, y up, colours linear. Textures are PNG or JPEG. A .glb holds at most 4 GB.)"},
+node for each symbol, and a node for each element or inserted mesh, which share one mesh. Metres, y up, colours
+linear. Textures are PNG or JPEG. A .glb holds at most 4 GB.)"},
     Topic{
         "files", "Where imports, meshes and textures are looked for",
         R"(  import "parts.style"             beside the importing file, in --style-path, in the library

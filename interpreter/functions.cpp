@@ -257,37 +257,6 @@ double to_number(Call c, std::string_view text) {
   return *number;
 }
 
-// ---- questions about other shapes: a set, and maybe "distance", d
-
-using Word = std::optional<std::string_view>;
-
-Opt distance_of(Call c, Word word, Opt distance) {
-  if (word && *word != "distance") {
-    c.machine.fail(
-        c.machine.program
-            .spans[c.machine.program.children[c.machine.program.nodes[c.node].children + 1]],
-        "a question goes on with \"distance\", not \"" + std::string(*word) + "\"",
-        "write \"distance\", then metres");
-  }
-  if (word && !distance) {
-    c.machine.fail(c.machine.program.spans[c.node], "the distance is missing",
-                   "\"distance\", then metres");
-  }
-  return distance;
-}
-Value occlusion(Call c, std::string_view set, Word word, Opt distance) {
-  return ask_cover(c, set, distance_of(c, word, distance));
-}
-Value is_inside(Call c, std::string_view set, Word word, Opt distance) {
-  return ask_inside(c, set, distance_of(c, word, distance));
-}
-Value has_overlap(Call c, std::string_view set, Word word, Opt distance) {
-  return ask_overlaps(c, set, distance_of(c, word, distance));
-}
-Value has_contact(Call c, std::string_view set) { return ask_touches(c, set); }
-Value is_seen(Call c, std::string_view set) { return ask_visible(c, set); }
-Value distance_to(Call c, std::string_view set) { return ask_nearest(c, set); }
-
 constexpr std::array rows{
     row<draw_between>("rand", "low, high",
                       "A random number between low and high; rand() lies between 0 and 1.",
@@ -324,25 +293,25 @@ constexpr std::array rows{
     row<to_string>("str", "value", "The value as a string.", "str(12.5)"),
     row<to_number>("num", "text", "The number that a text reads as, with an optional unit.",
                    "num(\"12.5 m\")"),
-    asking<occlusion>("Shape.occ", "set, word, distance",
+    asking<ask_cover>("Shape.occ", "set, word, distance",
                       "How far the shape is covered by the solids of a set: \"none\", \"part\" or "
                       "\"full\"; with \"distance\", d by what stands within d metres before it.",
                       "Shape.occ(\"noparent\", \"distance\", 0.5)"),
-    asking<is_inside>("inside", "set, word, distance",
-                      "Whether the shape is covered as a whole, as Shape.occ says.",
-                      "inside(\"all\")"),
-    asking<has_overlap>("overlaps", "set, word, distance",
-                        "Whether the shape is covered as a whole or in part.",
-                        "overlaps(\"neighbours\")"),
-    asking<has_contact>("touches", "set",
+    asking<ask_inside>("inside", "set, word, distance",
+                       "Whether the shape is covered as a whole, as Shape.occ says.",
+                       "inside(\"all\")"),
+    asking<ask_overlaps>("overlaps", "set, word, distance",
+                         "Whether the shape is covered as a whole or in part.",
+                         "overlaps(\"neighbours\")"),
+    asking<ask_touches>("touches", "set",
                         "Whether a solid of the set ends in the plane of the shape, on it.",
                         "touches(\"noparent\")"),
-    asking<is_seen>(
+    asking<ask_visible>(
         "Shape.visible", "set",
         "Whether the shortest line from the middle of the shape to the nearest solid of "
         "the set, or to the nearest \"street\", is free of solids.",
         "Shape.visible(\"street\")"),
-    asking<distance_to>(
+    asking<ask_nearest>(
         "nearest", "set",
         "Metres from the shape to the nearest solid of the set that it did not come "
         "from, or in the plan to the nearest \"street\"; infinity without any.",

@@ -176,6 +176,20 @@ Cover answer(const FunctionCall& call, std::string_view set, std::optional<doubl
   return last.cover;
 }
 
+/// "distance", then metres, or neither.
+void check_word(const FunctionCall& call, Word word, std::optional<double> distance) {
+  const Program& program = call.machine.program;
+  if (word && *word != "distance") {
+    call.machine.fail(program.spans[program.children[program.nodes[call.node].children + 1]],
+                      "a question goes on with \"distance\", not \"" + std::string(*word) + "\"",
+                      "write \"distance\", then metres");
+  }
+  if (word && !distance) {
+    call.machine.fail(program.spans[call.node], "the distance is missing",
+                      "\"distance\", then metres");
+  }
+}
+
 Value yes_or_no(const FunctionCall& call, bool yes, const std::string& why) {
   call.machine.note_answer(call.node, *call.shape, yes ? "true" : "false", why);
   return Value::of(yes);
@@ -183,20 +197,26 @@ Value yes_or_no(const FunctionCall& call, bool yes, const std::string& why) {
 
 }  // namespace
 
-Value ask_cover(const FunctionCall& call, std::string_view set, std::optional<double> distance) {
+Value ask_cover(const FunctionCall& call, std::string_view set, Word word,
+                std::optional<double> distance) {
+  check_word(call, word, distance);
   std::string why;
-  const std::string_view word = word_of(answer(call, set, distance, why));
-  call.machine.note_answer(call.node, *call.shape, word, why);
-  return Value::of(word);
+  const std::string_view cover = word_of(answer(call, set, distance, why));
+  call.machine.note_answer(call.node, *call.shape, cover, why);
+  return Value::of(cover);
 }
 
-Value ask_inside(const FunctionCall& call, std::string_view set, std::optional<double> distance) {
+Value ask_inside(const FunctionCall& call, std::string_view set, Word word,
+                 std::optional<double> distance) {
+  check_word(call, word, distance);
   std::string why;
   const bool yes = answer(call, set, distance, why) == Cover::full;
   return yes_or_no(call, yes, why);
 }
 
-Value ask_overlaps(const FunctionCall& call, std::string_view set, std::optional<double> distance) {
+Value ask_overlaps(const FunctionCall& call, std::string_view set, Word word,
+                   std::optional<double> distance) {
+  check_word(call, word, distance);
   std::string why;
   const bool yes = answer(call, set, distance, why) != Cover::nothing;
   return yes_or_no(call, yes, why);

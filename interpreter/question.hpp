@@ -17,9 +17,15 @@ inline constexpr double party = 0.05;
 /// Covered or free pieces that are thinner do not count; beside neighbours.
 inline constexpr double thinnest_cover = 0.01, thinnest_party = 0.06;
 
-Value ask_cover(const FunctionCall& call, std::string_view set, std::optional<double> distance);
-Value ask_inside(const FunctionCall& call, std::string_view set, std::optional<double> distance);
-Value ask_overlaps(const FunctionCall& call, std::string_view set, std::optional<double> distance);
+/// `word` is "distance" where there is one.
+using Word = std::optional<std::string_view>;
+
+Value ask_cover(const FunctionCall& call, std::string_view set, Word word,
+                std::optional<double> distance);
+Value ask_inside(const FunctionCall& call, std::string_view set, Word word,
+                 std::optional<double> distance);
+Value ask_overlaps(const FunctionCall& call, std::string_view set, Word word,
+                   std::optional<double> distance);
 Value ask_touches(const FunctionCall& call, std::string_view set);
 
 }  // namespace mansard
