@@ -95,6 +95,8 @@ void Compiler::not_an_operation(const syntax::Emit& e, uint16_t style) {
     help = "write roof(\"" + std::string(*meant_roof_kind(name)) + "\", pitch)";
   if (const std::string_view here = operation_elsewhere(e.name.text); !here.empty())
     help = "write " + std::string(here);
+  if (find_function(name))
+    help = "it is a function: it gives a value to a condition or an argument";
   if (help.empty() && known_symbols_.contains(e.name.text) && !e.args)
     help = "only an operation takes { ... }; put the parts into a rule of '" + name + "'";
   refuse(e.name.at, "unknown operation '" + name + "'", help);

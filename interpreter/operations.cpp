@@ -201,9 +201,8 @@ constexpr std::array rows{
                   "Stops the building with a message of the style's own.", ""),
 };
 
-constexpr std::array<std::string_view, 10> later{"stain",    "material",  "uv",     "union",
-                                                 "subtract", "intersect", "layers", "relayout",
-                                                 "group",    "nearest"};
+constexpr std::array<std::string_view, 8> later{"stain",    "material",  "uv",     "union",
+                                                "subtract", "intersect", "layers", "relayout"};
 
 struct LaterWords {
   std::string_view parameter;

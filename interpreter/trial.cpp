@@ -92,12 +92,14 @@ double Machine::try_part(Context& c, std::size_t i, ExprId score) {
     fail(c.call.at, "alternatives more than " + std::to_string(most_nested) + " deep",
          "an alternative that comes to best(...) again is tried again each time");
   }
+  Meeting* const round = meeting;
   const Trial trial(*this);
   try {
     Shape piece = c.shape;
     c.part(i, piece);
     std::ranges::reverse(stack_);
     derive_all();
+    meeting = round;  // the score may ask the group of the shape itself
     scoring_ = true;
     const double result = number(score, c.env);
     scoring_ = false;
