@@ -75,12 +75,13 @@ Surface own_frame(const Surface& surface, const Surface::Placed& placed) {
 }
 
 std::optional<uint64_t> GltfShared::find(const Surface& surface, const Surface::Placed& placed) {
-  key_.mesh = placed.mesh;
-  key_.looks.clear();
+  auto& [mesh, looks] = key_;
+  mesh = placed.mesh;
+  looks.clear();
   auto run = std::ranges::upper_bound(surface.runs, placed.begin, {}, &Surface::Run::end);
   for (;; ++run) {
     const uint32_t end = std::min(run->end, placed.end);
-    key_.looks.insert(key_.looks.end(), {run->material, end - placed.begin});
+    looks.insert(looks.end(), {run->material, end - placed.begin});
     if (end == placed.end) break;
   }
   known_ = all_.find(key_);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh.hpp"
@@ -34,11 +35,7 @@ class GltfShared {
   void set(uint64_t mesh) { known_->second = mesh; }
 
  private:
-  struct Key {
-    const Mesh* mesh = nullptr;
-    std::vector<uint32_t> looks;  ///< material and end of each run
-    auto operator<=>(const Key&) const = default;
-  };
+  using Key = std::pair<const Mesh*, std::vector<uint32_t>>;  ///< material and end of each run
   std::map<Key, std::optional<uint64_t>> all_;
   std::map<Key, std::optional<uint64_t>>::iterator known_;
   Key key_;

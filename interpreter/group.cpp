@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 #include <span>
 
 #include "interpreter/machine.hpp"
@@ -37,21 +36,22 @@ double Meeting::gather(Machine& machine, Gather how, uint32_t expr, uint32_t wit
 
 namespace {
 
-double reduced(Gather how, auto values) {
-  double result = *values.begin();
-  double sum = 0;
-  for (const double v : values) {
-    sum += v;
-    result = how == Gather::most ? std::max(result, v) : std::min(result, v);
+double reduced(Gather how, const auto& members) {
+  double sum = 0, least = members[0].value, most = members[0].value;
+  for (const auto& m : members) {
+    sum += m.value;
+    least = std::min(least, m.value);
+    most = std::max(most, m.value);
   }
   switch (how) {
     case Gather::any:
-      return sum > 0 ? 1 : 0;
+    case Gather::most:
+      return most;
     case Gather::count:
     case Gather::sum:
       return sum;
-    default:  // all of ones and zeros: the least
-      return result;
+    default:  // of conditions, ones and zeros, whether all hold
+      return least;
   }
 }
 
@@ -71,7 +71,7 @@ void Meeting::reduce(Gather how, std::vector<Member>& members, std::vector<doubl
         of[group[i].shape] = how == Gather::rank ? rank : i == 0;
       }
     } else {
-      const double result = reduced(how, group | std::views::transform(&Member::value));
+      const double result = reduced(how, group);
       for (const Member& m : group) of[m.shape] = result;
     }
     first = last;
