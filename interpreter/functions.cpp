@@ -79,7 +79,7 @@ consteval Function signature_of(R (*)(const FunctionCall&, P...)) {
 }
 
 template <auto F>
-consteval Function row(std::string_view name, std::string_view args, std::string_view summary,
+constexpr Function row(std::string_view name, std::string_view args, std::string_view summary,
                        std::string_view example, bool random = false) {
   Function r = signature_of<F>(F);
   if (names_in(args) != r.count) throw "every parameter needs a name";
@@ -93,7 +93,7 @@ consteval Function row(std::string_view name, std::string_view args, std::string
 
 /// A question about other shapes.
 template <auto F>
-consteval Function asking(std::string_view name, std::string_view args, std::string_view summary,
+constexpr Function asking(std::string_view name, std::string_view args, std::string_view summary,
                           std::string_view example) {
   Function r = row<F>(name, args, summary, example);
   r.asks = Asks::others;
@@ -102,7 +102,7 @@ consteval Function asking(std::string_view name, std::string_view args, std::str
 
 /// About the shapes that are answered together.
 template <auto F>
-consteval Function of_group(std::string_view name, std::string_view args, std::string_view summary,
+constexpr Function of_group(std::string_view name, std::string_view args, std::string_view summary,
                             std::string_view example) {
   Function r = row<F>(name, args, summary, example);
   r.asks = Asks::group;
@@ -112,7 +112,7 @@ consteval Function of_group(std::string_view name, std::string_view args, std::s
 
 /// About what came of an alternative.
 template <auto F>
-consteval Function of_outcome(std::string_view name, std::string_view args,
+constexpr Function of_outcome(std::string_view name, std::string_view args,
                               std::string_view summary, std::string_view example) {
   Function r = row<F>(name, args, summary, example);
   r.asks = Asks::outcome;

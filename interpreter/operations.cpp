@@ -29,7 +29,7 @@ consteval Operation signature_of(void (*)(Context&, P...)) {
 }
 
 template <auto F>
-consteval Operation row(std::string_view group, std::string_view name, std::string_view args,
+constexpr Operation row(std::string_view group, std::string_view name, std::string_view args,
                         PartRule rule, std::string_view parts, std::string_view summary,
                         std::string_view example) {
   Operation r = signature_of<F>(F);
@@ -46,7 +46,7 @@ consteval Operation row(std::string_view group, std::string_view name, std::stri
 }
 
 template <auto F>
-consteval Operation waiting(std::string_view group, std::string_view name, std::string_view args,
+constexpr Operation waiting(std::string_view group, std::string_view name, std::string_view args,
                             PartRule rule, std::string_view parts, std::string_view summary,
                             std::string_view example) {
   Operation r = row<F>(group, name, args, rule, parts, summary, example);

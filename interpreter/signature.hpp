@@ -125,7 +125,7 @@ struct parameter_of<Option<T>> {
 inline constexpr std::size_t max_parameters = 16;
 
 /// How many comma-separated names a row gives its parameters.
-consteval std::size_t names_in(std::string_view names) {
+constexpr std::size_t names_in(std::string_view names) {
   if (names.empty()) return 0;
   std::size_t n = 1;
   for (const char c : names) n += c == ',';
