@@ -78,11 +78,11 @@ std::vector<Alternative> materials_of(const LinkedStyle& style, const Story& sym
 std::string material_draws(const LinkedStyle& style, std::string_view symbol);
 
 /// What a member speaks of: the uses that stand in its writings in force.
-struct Reading {
+struct StoryUse {
   const Story* of;
   UseKind kind;
 };
-std::vector<Reading> readings(const Stories& stories, const Story& speaker);
+std::vector<StoryUse> readings(const Stories& stories, const Story& speaker);
 
 // ---- the pages; all end with a line end
 

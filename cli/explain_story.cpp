@@ -285,7 +285,7 @@ class StoryPage {
 
   void reads() {
     bool begun = false;
-    for (const Reading& reading : readings(explained_.stories, story_)) {
+    for (const StoryUse& reading : readings(explained_.stories, story_)) {
       const Story& read = *reading.of;
       if (read.kind == MemberKind::symbol || reading.kind == UseKind::sets) continue;
       if (!std::exchange(begun, true)) section("Reads");

@@ -297,8 +297,8 @@ std::string material_draws(const LinkedStyle& style, std::string_view symbol) {
 
 // ---- what a member speaks of
 
-std::vector<Reading> readings(const Stories& stories, const Story& speaker) {
-  std::vector<Reading> result;
+std::vector<StoryUse> readings(const Stories& stories, const Story& speaker) {
+  std::vector<StoryUse> result;
   for (const Story& story : stories.all()) {
     std::set<UseKind> kinds;
     for (const Use& use : story.uses) {

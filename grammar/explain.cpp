@@ -42,7 +42,7 @@ char closer(char open) { return open == '{' ? '}' : open == '[' ? ']' : ')'; }
 /// One failing: everything the messages are made from.
 class Failing {
  public:
-  Failing(const Source& source, const Trail::Place& place, const Surroundings& around)
+  Failing(const Source& source, const Trail::Place& place, const ErrorSite& around)
       : source_(source),
         place_(place),
         around_(around),
@@ -284,7 +284,7 @@ class Failing {
 
   const Source& source_;
   const Trail::Place& place_;
-  const Surroundings& around_;
+  const ErrorSite& around_;
   std::string_view text_;
   const char* at_;
   std::string_view found_;
@@ -293,7 +293,7 @@ class Failing {
 
 }  // namespace
 
-Diagnostic explain(const Source& source, const Trail::Place& place, const Surroundings& around,
+Diagnostic explain(const Source& source, const Trail::Place& place, const ErrorSite& around,
                    const Trail& trail, uint32_t brief_variable_end) {
   const Failing failing(source, place, around);
   if (place.complaint.begin) return failing.particular();
@@ -314,7 +314,7 @@ Diagnostic explain_missing_brace(const Source& source, const char* at, const cha
   place.at = at;
   place.open = open;
   place.wants = {&wording};
-  Surroundings around;
+  ErrorSite around;
   around.member = at;
   return Failing(source, place, around).unexpected(0, 0);
 }

@@ -6,7 +6,7 @@
 
 namespace mansard {
 
-Diagnostic explain(const Source& source, const Trail::Place& place, const Surroundings& around,
+Diagnostic explain(const Source& source, const Trail::Place& place, const ErrorSite& around,
                    const Trail& trail, uint32_t brief_variable_end);
 Diagnostic explain_missing_brace(const Source& source, const char* at, const char* open);
 Complaint explain_escape(const char* begin, const char* end, const char* after_text);

@@ -70,7 +70,7 @@ syntax::ExprPtr parse_expression(const Source& source, Diagnostics& diagnostics)
   Input in(source.text().data(), source.text().data() + source.text().size(), "");
   const bool matched = tao::pegtl::parse<peg::only_expr, peg::action, peg::control>(in, reading);
   if (!matched) {
-    Surroundings around;
+    ErrorSite around;
     around.member = reading.after_space(source.text().data());
     reading.report(around);
   }

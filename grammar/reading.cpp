@@ -154,7 +154,7 @@ void Reading::end_style(const char* end) {
   leaving = false;
 }
 
-void Reading::report(const Surroundings& around) {
+void Reading::report(const ErrorSite& around) {
   const Trail::Place& place = trail.furthest();
   if (!open_comment_) add(explain(source_, place, around, trail, tree.brief_variable_end));
   if (open_comment_ || place.at >= end_) over_ = true;

@@ -13,7 +13,7 @@ namespace mansard {
 enum class Level : uint8_t { file, style, rules, elements, materials };
 
 /// What only the grammar can tell about the place of an error.
-struct Surroundings {
+struct ErrorSite {
   const char* member = nullptr;  ///< where the member begins that could not be read
   const char* word = nullptr;    ///< where it goes on behind its annotations
   const char* behind = nullptr;  ///< the end of what stands before it; null: not known
@@ -53,7 +53,7 @@ class Reading {
   void end_block(const char* end);
   void end_style(const char* end);
 
-  void report(const Surroundings& around);
+  void report(const ErrorSite& around);
   void report_missing_brace(const char* at);
   /// What can only be told when all is read.
   void finish();

@@ -133,7 +133,7 @@ bool bad<level>::match(In& in, Reading& reading) {
   const Trail::Place place = reading.trail.furthest();
   const char* const found = place.at ? std::max(place.at, member) : member;
 
-  Surroundings around;
+  ErrorSite around;
   around.member = member;
   around.level = level;
   if (in.current() < member) around.behind = in.current();

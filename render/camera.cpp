@@ -34,7 +34,7 @@ struct Axes {
 
 /// The largest value of f over all corners (or, without triangles, over the bounds' corners).
 template <class F>
-float support(const World& world, F f) {
+float support(const RayScene& world, F f) {
   float most = -std::numeric_limits<float>::infinity();
   for (const Float3 p : world.corners) most = std::max(most, f(p));
   if (!world.corners.empty()) return most;
@@ -53,7 +53,7 @@ struct Fit {
   float depth;   ///< and along the view
 };
 
-Fit fit(const World& world, const Axes& axes, Float3 axis, float tangent) {
+Fit fit(const RayScene& world, const Axes& axes, Float3 axis, float tangent) {
   const float high =
       support(world, [&](Float3 p) { return dot(p, axis) - dot(p, axes.forward) * tangent; });
   const float low =
@@ -66,7 +66,7 @@ Lens lens(Float3 eye, const Axes& axes, float tangent, float aspect, float shift
 }
 
 /// A long lens, nearly without perspective, from the south-east.
-Lens aim_iso(const World& world, float aspect) {
+Lens aim_iso(const RayScene& world, float aspect) {
   const bool is_large = world.radius > large;
   const Axes axes(looking(is_large ? 30 : 38, is_large ? 36 : 27));
   const float tangent = std::tan(radians(is_large ? 18 : 6) / 2);
@@ -79,7 +79,7 @@ Lens aim_iso(const World& world, float aspect) {
 
 /// Level, at the height of a person's eyes; the nearest place from which nothing is cut off. The
 /// film is shifted up, at most until the horizon lies at a quarter of the picture's height.
-Lens aim_at_front(const World& world, double field_of_view, float aspect) {
+Lens aim_at_front(const RayScene& world, double field_of_view, float aspect) {
   const Float3 size = world.high - world.low;
   const Axes axes(looking(size.x >= size.z ? 20 : 70, 0));
   float tangent = std::tan(radians(field_of_view) / 2);
@@ -107,7 +107,7 @@ Lens aim_at_front(const World& world, double field_of_view, float aspect) {
   return lens(eye, axes, tangent, aspect, shift);
 }
 
-Lens aim_freely(const World& world, const Camera& camera, float aspect) {
+Lens aim_freely(const RayScene& world, const Camera& camera, float aspect) {
   const Float3 eye = world.to_world(camera.eye), target = world.to_world(camera.target);
   const Float3 direction = target - eye;
   const bool is_usable = is_finite(eye) && is_finite(target) && length(direction) > 1e-6F;
@@ -156,7 +156,7 @@ std::optional<Camera> parse_camera(std::string_view text) {
   return camera;
 }
 
-Lens aim(const World& world, const Tracer& tracer, const PictureOptions& options) {
+Lens aim(const RayScene& world, const Tracer& tracer, const PictureOptions& options) {
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   switch (options.camera.view) {
     case Camera::View::iso:

@@ -20,7 +20,7 @@ struct Lens {
 
 /// For `iso` and `street` the whole scene fills the picture; but from the street one sees the
 /// street when the scene is larger than 200 m.
-Lens aim(const World& world, const Tracer& tracer, const PictureOptions& options);
+Lens aim(const RayScene& world, const Tracer& tracer, const PictureOptions& options);
 
 /// An eye in the frame of the world and the level direction in which it looks.
 struct Stand {
@@ -28,6 +28,6 @@ struct Stand {
 };
 /// In the middle of a large scene, 1.7 m above the ground, between buildings, looking along the
 /// longest free way.
-Stand find_street(const World& world, const Tracer& tracer);
+Stand find_street(const RayScene& world, const Tracer& tracer);
 
 }  // namespace mansard

@@ -41,20 +41,20 @@ uint8_t srgb(float linear) {
 }
 
 /// The ground runs out into haze; what stands far away gets a little of it.
-float haze_at(const Film& film, const World& world, std::size_t i, Float3 point) {
+float haze_at(const Film& film, const RayScene& world, std::size_t i, Float3 point) {
   const Float3 from_middle = point - world.middle();
   const float away = std::sqrt(from_middle.x * from_middle.x + from_middle.z * from_middle.z);
   const float reach = std::max(world.radius, 12.0F);
-  if (film.triangle[i] == World::ground) return smooth_step(2 * reach, 14 * reach, away);
+  if (film.triangle[i] == RayScene::ground) return smooth_step(2 * reach, 14 * reach, away);
   const float nearest = std::max(150.0F, length(film.lens.eye - world.middle()) - reach);
   const float beyond = std::max(0.0F, length(point - film.lens.eye) - nearest);
   return 0.45F * (1 - std::exp(-beyond / std::max(1500.0F, 6 * reach)));
 }
 
-Float3 finished(const Film& film, const World& world, const Lighting& lighting, int x, int row) {
+Float3 finished(const Film& film, const RayScene& world, const Lighting& lighting, int x, int row) {
   const std::size_t i = film.at(x, row);
   Float3 light;
-  if (film.triangle[i] == World::sky) {
+  if (film.triangle[i] == RayScene::sky) {
     light = backdrop(normalized(film.ray(x, row)));
   } else {
     light = lighting.reflected(film.color[i], film.seen[i].normal, film.light[i]) + film.shine[i];
@@ -65,7 +65,7 @@ Float3 finished(const Film& film, const World& world, const Lighting& lighting, 
 
 }  // namespace
 
-void develop(const Film& film, const World& world, const Lighting& lighting, int first, int last,
+void develop(const Film& film, const RayScene& world, const Lighting& lighting, int first, int last,
              Picture& picture) {
   for_each_row(last - first, film.threads, [&](int number) {
     const int y = first + number;

@@ -23,7 +23,7 @@ Float3 mirrored(const Lighting& lighting, Float3 point, Float3 direction, Float3
   return lighting.radiance(point + normal * 2e-3F, out) * part;
 }
 
-void expose_sample(Film& film, int x, int row, const World& world, const Tracer& tracer,
+void expose_sample(Film& film, int x, int row, const RayScene& world, const Tracer& tracer,
                    const Lighting& lighting, int samples) {
   const std::size_t i = film.at(x, row);
   const Float3 ray = film.ray(x, row);
@@ -39,7 +39,7 @@ void expose_sample(Film& film, int x, int row, const World& world, const Tracer&
       world.color_at(hit.triangle, hit.u, hit.v, 0.5F * film.pixel * hit.t / std::sqrt(slant));
   const Float3 point = film.lens.eye + ray * hit.t;
   film.light[i] = lighting.gather(point, hit.normal, Spread(x, film.top + row, samples), samples);
-  if (hit.triangle != World::ground && world.look_of(hit.triangle).glass) {
+  if (hit.triangle != RayScene::ground && world.look_of(hit.triangle).glass) {
     film.color[i] = film.color[i] * 0.55F;
     const Float3 normal = pane_normal(hit.normal, world.face[hit.triangle]);
     film.shine[i] = mirrored(lighting, point, direction, normal);
@@ -50,7 +50,7 @@ void expose_sample(Film& film, int x, int row, const World& world, const Tracer&
 bool is_behind(const Film& film, int x, int row, int dx, int dy) {
   const std::size_t before = film.at(x - dx, row - dy), after = film.at(x + dx, row + dy);
   for (const std::size_t i : {before, after}) {
-    if (film.triangle[i] >= World::ground) return false;
+    if (film.triangle[i] >= RayScene::ground) return false;
   }
   const Float3 normal = film.seen[before].normal;
   if (dot(normal, film.seen[after].normal) < 0.999F) return false;
@@ -58,7 +58,7 @@ bool is_behind(const Film& film, int x, int row, int dx, int dy) {
   const float slack = 0.02F + 2 * film.pixel * film.seen[before].depth;
   if (std::abs(dot(normal, film.point(x + dx, row + dy) - point)) > slack) return false;
   const std::size_t here = film.at(x, row);
-  if (film.triangle[here] == World::sky) return true;
+  if (film.triangle[here] == RayScene::sky) return true;
   return dot(normal, film.point(x, row) - point) < -slack;
 }
 
@@ -91,7 +91,7 @@ Film::Film(const PictureOptions& options, const Lens& of, int band_top, int band
       pixel(2 * length(of.up) / static_cast<float>(options.height)) {
   const std::size_t count = at(0, rows);
   seen.resize(count);
-  triangle.resize(count, World::sky);
+  triangle.resize(count, RayScene::sky);
   color.resize(count);
   shine.resize(count);
   light.resize(count);
@@ -99,7 +99,7 @@ Film::Film(const PictureOptions& options, const Lens& of, int band_top, int band
   ink.resize(count);
 }
 
-void expose(Film& film, const World& world, const Tracer& tracer, const Lighting& lighting,
+void expose(Film& film, const RayScene& world, const Tracer& tracer, const Lighting& lighting,
             int samples) {
   for_each_row(film.rows, film.threads, [&](int row) {
     for (int x = 0; x < film.width; ++x) {

@@ -47,18 +47,18 @@ struct Film {
 /// Whether memory and numbers can hold such a picture.
 bool is_possible(const PictureOptions& options);
 /// What the lens sees, with all of the below; the options must be possible.
-Picture paint(const World& world, const Tracer& tracer, const Lens& lens,
+Picture paint(const RayScene& world, const Tracer& tracer, const Lens& lens,
               const PictureOptions& options);
 
 /// Fills everything but ink.
-void expose(Film& film, const World& world, const Tracer& tracer, const Lighting& lighting,
+void expose(Film& film, const RayScene& world, const Tracer& tracer, const Lighting& lighting,
             int samples);
 /// Blurs light along surfaces: takes the noise away and leaves edges.
 void smooth_light(Film& film);
 /// Draws lines where surfaces meet, end or change their look.
-void draw_ink(Film& film, const World& world);
+void draw_ink(Film& film, const RayScene& world);
 /// Writes rows [first, last) of the picture, that the band must hold.
-void develop(const Film& film, const World& world, const Lighting& lighting, int first, int last,
+void develop(const Film& film, const RayScene& world, const Lighting& lighting, int first, int last,
              Picture& picture);
 /// Samples above and below that smooth_light and draw_ink look at.
 constexpr int film_border = 24;

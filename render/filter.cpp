@@ -29,7 +29,7 @@ class Pass {
     const std::size_t i = film_.at(x, row);
     const uint32_t triangle = film_.triangle[i];
     const Light own = film_.light[i];
-    if (triangle == World::sky) return own;
+    if (triangle == RayScene::sky) return own;
     const float own_brightness = brightness(own), range = range_ * own_brightness;
     // The picture's border cuts taps off.
     const int place = dx_ > 0 ? x : row, size = dx_ > 0 ? film_.width : film_.rows;
@@ -56,7 +56,7 @@ class Pass {
 
  private:
   bool is_in_plane(int x, int row, std::size_t i, std::size_t k, int tap) const {
-    if (film_.triangle[k] == World::sky) return false;
+    if (film_.triangle[k] == RayScene::sky) return false;
     const Film::Seen &own = film_.seen[i], &other = film_.seen[k];
     if (dot(own.normal, other.normal) < 0.96F) return false;
     const Float3 ray = film_.ray(x, row);

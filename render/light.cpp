@@ -67,7 +67,7 @@ Spread::Spot Spread::on_disc(int i, int stream) const {
   return {radius * direction.x, radius * direction.y};
 }
 
-Lighting::Lighting(const World& world, const Tracer& tracer, Float3 view)
+Lighting::Lighting(const RayScene& world, const Tracer& tracer, Float3 view)
     : world_(world), tracer_(tracer) {
   Float3 level = normalized(Float3{view.x, 0, view.z});
   if (length(level) < 0.5F) level = {0, 0, -1};

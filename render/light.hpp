@@ -35,7 +35,7 @@ struct Light {
 class Lighting {
  public:
   /// The sun stands over the left shoulder of who looks along `view`.
-  Lighting(const World& world, const Tracer& tracer, Float3 view);
+  Lighting(const RayScene& world, const Tracer& tracer, Float3 view);
 
   Light gather(Float3 point, Float3 normal, const Spread& spread, int samples) const;
   /// What is seen from a point in a direction (unit length), without further bounces.
@@ -45,7 +45,7 @@ class Lighting {
   Float3 sun() const { return sun_; }
 
  private:
-  const World& world_;
+  const RayScene& world_;
   const Tracer& tracer_;
   Float3 sun_, sun_x_, sun_y_;
 };

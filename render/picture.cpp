@@ -14,7 +14,7 @@ constexpr int band_samples = 1'500'000;
 
 Picture render(const Scene& scene, const PictureOptions& options) {
   if (!is_possible(options)) return {};
-  const World world(scene);
+  const RayScene world(scene);
   const Tracer tracer(world);
   return paint(world, tracer, aim(world, tracer, options), options);
 }
@@ -24,7 +24,7 @@ bool is_possible(const PictureOptions& options) {
          options.height <= largest_side;
 }
 
-Picture paint(const World& world, const Tracer& tracer, const Lens& lens,
+Picture paint(const RayScene& world, const Tracer& tracer, const Lens& lens,
               const PictureOptions& options) {
   const Lighting lighting(world, tracer, lens.forward);
   // Of a pixel's samples three quarters look at the sky and half at the sun; each of its two by two

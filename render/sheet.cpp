@@ -9,8 +9,8 @@
 namespace mansard {
 namespace {
 
-constexpr Ink paper{250, 249, 246}, blank{238, 236, 231};
-constexpr Ink title_ink{34, 34, 38}, caption_ink{64, 64, 70}, message_ink{160, 44, 30};
+constexpr Rgb paper{250, 249, 246}, blank{238, 236, 231};
+constexpr Rgb title_ink{34, 34, 38}, caption_ink{64, 64, 70}, message_ink{160, 44, 30};
 
 /// Where things are, in pixels. Every margin and every gap between columns is `margin`.
 struct Layout {
@@ -40,7 +40,7 @@ struct Layout {
   }
 };
 
-void fill(Picture& sheet, int left, int top, int width, int height, Ink ink) {
+void fill(Picture& sheet, int left, int top, int width, int height, Rgb ink) {
   for (int y = top; y < top + height; ++y) {
     uint8_t* out = sheet.rgb.data() + std::size_t{3} * (static_cast<std::size_t>(y) *
                                                             static_cast<std::size_t>(sheet.width) +
@@ -85,13 +85,13 @@ class Studio {
   }
 
   Picture picture_of(const Scene& scene) const {
-    const World world(scene, frame_);
+    const RayScene world(scene, frame_);
     const Tracer tracer(world);
     return paint(world, tracer, lens_, options_);
   }
 
  private:
-  World frame_;
+  RayScene frame_;
   Lens lens_;
   PictureOptions options_;
 };

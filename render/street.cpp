@@ -33,7 +33,7 @@ float worth(const std::array<float, directions>& free, int ahead) {
 
 }  // namespace
 
-Stand find_street(const World& world, const Tracer& tracer) {
+Stand find_street(const RayScene& world, const Tracer& tracer) {
   const Float3 middle = world.middle(), size = world.high - world.low;
   Stand best{{middle.x, 1.7F, world.high.z + 10}, {0, 0, -1}};
   float most = 0;

@@ -48,7 +48,7 @@ void blend(uint8_t& under, uint8_t ink, int cover) {
   under = static_cast<uint8_t>((under * (255 - cover) + ink * cover + 127) / 255);
 }
 
-void put_bitmap(Picture& picture, const FT_Bitmap& bitmap, int left, int top, Ink ink) {
+void put_bitmap(Picture& picture, const FT_Bitmap& bitmap, int left, int top, Rgb ink) {
   for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
     const int y = top + row;
     if (y < 0 || y >= picture.height) continue;
@@ -88,7 +88,7 @@ int Font::width(std::u32string_view text) const {
   return for_each_glyph(face_->face, text, [](int) {});
 }
 
-void Font::draw(Picture& picture, int x, int baseline, std::u32string_view text, Ink ink) const {
+void Font::draw(Picture& picture, int x, int baseline, std::u32string_view text, Rgb ink) const {
   const FT_Face face = face_->face;
   for_each_glyph(face, text, [&](int pen) {
     const FT_GlyphSlot glyph = face->glyph;

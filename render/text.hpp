@@ -10,7 +10,7 @@
 
 namespace mansard {
 
-struct Ink {
+struct Rgb {
   uint8_t red = 0, green = 0, blue = 0;
 };
 
@@ -27,7 +27,7 @@ class Font {
   int ascent() const;  ///< from the top of a line to its baseline
   int width(std::u32string_view text) const;
   /// What falls outside the picture is not drawn.
-  void draw(Picture& picture, int x, int baseline, std::u32string_view text, Ink ink) const;
+  void draw(Picture& picture, int x, int baseline, std::u32string_view text, Rgb ink) const;
 
  private:
   struct Face;

@@ -27,7 +27,7 @@ RTCRay ray(Float3 from, Float3 direction, float t_low, float t_high) {
 
 Hit ground_hit(Float3 from, Float3 direction) {
   if (direction.y >= 0 || from.y <= 0) return {};
-  return {World::ground, -from.y / direction.y, {0, 1, 0}, 0, 0};
+  return {RayScene::ground, -from.y / direction.y, {0, 1, 0}, 0, 0};
 }
 
 /// Gathers what lies within a short piece of a ray; hits are refused so that the ray goes on.
@@ -42,7 +42,7 @@ struct Gathering {
 
 /// In one plane the last drawn is seen. A wall that ends at a roof is not: the ray met its border.
 bool is_seen_before(const Gathering& now, const Gathering& before) {
-  if (before.triangle == World::sky) return true;
+  if (before.triangle == RayScene::sky) return true;
   if (now.faces_eye != before.faces_eye) return now.faces_eye;
   const bool in_one_plane = std::abs(dot(now.normal, before.normal)) > 0.9999F;
   return in_one_plane ? now.triangle > before.triangle : now.inside > before.inside;
@@ -73,7 +73,7 @@ struct Tracer::Embree {
   RTCScene scene = nullptr;
 };
 
-Tracer::Tracer(const World& world) : world_(world), embree_(std::make_unique<Embree>()) {
+Tracer::Tracer(const RayScene& world) : world_(world), embree_(std::make_unique<Embree>()) {
   if (world.triangles() == 0) return;
   // One thread builds, so that the tree, and with it what wins a tie, is always the same.
   embree_->device = rtcNewDevice("threads=1");
@@ -120,18 +120,18 @@ Hit Tracer::hit(Float3 from, Float3 direction) const {
 
 Hit Tracer::see(Float3 from, Float3 direction) const {
   Hit first = hit(from, direction);
-  if (first.triangle >= World::ground) return first;
+  if (first.triangle >= RayScene::ground) return first;
   Gathering seen{};
   rtcInitIntersectContext(&seen.context);
   seen.context.filter = gather;
-  seen.triangle = World::sky;
+  seen.triangle = RayScene::sky;
   // A tenth of a millimetre, or what single precision leaves of it.
   const float slack = 1e-4F + 4e-6F * first.t;
   RTCRayHit found{};
   found.ray = ray(from, direction, std::max(nearest, first.t - slack), first.t + slack);
   found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(embree_->scene, &seen.context, &found);
-  if (seen.triangle == World::sky || seen.triangle == first.triangle) return first;
+  if (seen.triangle == RayScene::sky || seen.triangle == first.triangle) return first;
   const Float3* at = &world_.corners[3 * std::size_t{seen.triangle}];
   const Float3 normal = normalized(cross(at[1] - at[0], at[2] - at[0]));
   return {seen.triangle, first.t, dot(normal, direction) > 0 ? -normal : normal, seen.u, seen.v};

@@ -3,22 +3,22 @@
 
 #include <memory>
 
-#include "render/world.hpp"
+#include "render/ray_scene.hpp"
 
 namespace mansard {
 
 struct Hit {
-  uint32_t triangle = World::sky;
+  uint32_t triangle = RayScene::sky;
   float t = 0;         ///< in lengths of the ray's direction
   Float3 normal;       ///< unit length, towards where the ray came from
   float u = 0, v = 0;  ///< barycentric
 
-  bool is_sky() const { return triangle == World::sky; }
+  bool is_sky() const { return triangle == RayScene::sky; }
 };
 
 class Tracer {
  public:
-  explicit Tracer(const World& world);
+  explicit Tracer(const RayScene& world);
   ~Tracer();
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
@@ -33,7 +33,7 @@ class Tracer {
 
  private:
   struct Embree;
-  const World& world_;
+  const RayScene& world_;
   std::unique_ptr<Embree> embree_;
 };
 

@@ -100,8 +100,7 @@ struct Tally {
 };
 
 /// The part that the pieces cover, by areas, where the answer says part.
-double share(const Polygon& face, const Samples& samples) {
-  (void)face;
+double share(const Samples& samples) {
   double sum = 0;
   for (const auto& row : samples.in)
     for (const bool in : row) sum += in;
@@ -131,7 +130,7 @@ TEST_CASE("faces are covered as sampling says") {
     const Cover answer = covered(outline, pieces, 0.01);
     const Samples samples = sampled(face, size, solids);
     prisms.compare(answer, samples);
-    const double covered_share = share(outline, samples);
+    const double covered_share = share(samples);
     if (answer == Cover::part && (covered_share == 0 || covered_share == 1)) ++doubtful;
     if (round % 4 == 0) {
       meshes.compare(covered(outline, of_meshes, 0.01), samples);

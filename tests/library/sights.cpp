@@ -6,8 +6,8 @@
 #include <optional>
 #include <random>
 
+#include "render/ray_scene.hpp"
 #include "render/trace.hpp"
-#include "render/world.hpp"
 
 namespace mansard::test {
 namespace {
@@ -21,7 +21,7 @@ class Spectator {
       : surface_(surface), box_(bounds(surface.points)), random_(seed) {
     scene_.add(surface);
     scene_.paints.resize(scene_.paint.size() + 1);
-    world_ = std::make_unique<World>(scene_);
+    world_ = std::make_unique<RayScene>(scene_);
     tracer_ = std::make_unique<Tracer>(*world_);
   }
 
@@ -67,7 +67,7 @@ class Spectator {
   std::optional<Sight> back(Vec3 eye, Vec3 target) const {
     const Float3 from = world_->to_world(eye), direction = world_->to_world(target) - from;
     const Hit hit = tracer_->see(from, direction);
-    if (hit.triangle >= World::ground) return std::nullopt;
+    if (hit.triangle >= RayScene::ground) return std::nullopt;
     const std::size_t polygon = scene_.face[world_->source[hit.triangle]];
     const Vec3 way = target - eye;
     if (dot(surface_.normals[polygon], way) <= 1e-6 * length(way)) return std::nullopt;
@@ -78,7 +78,7 @@ class Spectator {
   Box3 box_;
   std::mt19937 random_;
   Scene scene_;
-  std::unique_ptr<World> world_;
+  std::unique_ptr<RayScene> world_;
   std::unique_ptr<Tracer> tracer_;
 };
 

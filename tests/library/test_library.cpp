@@ -18,6 +18,12 @@ namespace {
 using namespace mansard;
 using namespace mansard::test;
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::size_t sparse = 7;  ///< only every so many footprints, where programs are slow
+#else
+constexpr std::size_t sparse = 1;
+#endif
+
 struct Sheet {
   std::string file, style;
 };
@@ -158,13 +164,14 @@ void check_builds(const std::vector<Footprint>& footprints) {
     Derivation derivation(script.program(), script.meshes(), {});
     Building building;
     std::size_t failed = 0, polygons = 0;
-    for (const Footprint& on : footprints) {
+    for (std::size_t i = 0; i < footprints.size(); i += sparse) {
+      const Footprint& on = footprints[i];
       const std::string why = trouble(derivation, on, building);
       polygons += building.surface.polygons();
       if (!why.empty() && ++failed <= 3) MESSAGE(sheet.style, " on ", on.id, ": ", why);
     }
-    MESSAGE(sheet.style, ": ", footprints.size(), " buildings, ", polygons, " polygons, ", failed,
-            " failed");
+    MESSAGE(sheet.style, ": ", footprints.size() / sparse, " buildings, ", polygons, " polygons, ",
+            failed, " failed");
     CHECK(failed == 0);
   }
 }
@@ -188,7 +195,7 @@ void check_whole(const std::vector<Footprint>& footprints, std::size_t every) {
     Derivation derivation(script.program(), script.meshes(), {});
     Building building;
     std::size_t fighting = 0, open = 0, buildings = 0;
-    for (std::size_t i = 0; i < footprints.size(); i += every) {
+    for (std::size_t i = 0; i < footprints.size(); i += every * sparse) {
       if (goes_on_beside_neighbour(footprints[i].polygon)) continue;
       derivation.derive(footprints[i], building);
       ++buildings;
@@ -254,6 +261,7 @@ TEST_CASE("coarse levels of detail keep the mass of library buildings") {
   }
 }
 
+#if !defined(__SANITIZE_ADDRESS__)
 TEST_CASE("a library building of 300 square metres takes at most 20 ms") {
   for (const Sheet& sheet : chosen_sheets()) {
     const Script script = script_of(sheet);
@@ -272,3 +280,4 @@ TEST_CASE("a library building of 300 square metres takes at most 20 ms") {
     CHECK(best < 20);
   }
 }
+#endif

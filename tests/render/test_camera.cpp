@@ -30,7 +30,7 @@ Vec2 seen_at(const Lens& lens, Float3 point) {
           dot(on_film, lens.up) / dot(lens.up, lens.up)};
 }
 
-Lens aimed(const World& world, Camera::View view) {
+Lens aimed(const RayScene& world, Camera::View view) {
   const Tracer tracer(world);
   PictureOptions options;
   options.camera.view = view;
@@ -67,7 +67,7 @@ TEST_CASE("iso and street show the whole scene, and it fills the picture") {
       CAPTURE(size.x);
       CAPTURE(size.y);
       CAPTURE(size.z);
-      const World world(corners(size, {100, 7, -30}));
+      const RayScene world(corners(size, {100, 7, -30}));
       const Lens lens = aimed(world, view);
       double across = 0, up = 0;
       for (const Float3 p : world.corners) {
@@ -84,7 +84,7 @@ TEST_CASE("iso and street show the whole scene, and it fills the picture") {
 }
 
 TEST_CASE("from the street uprights stay upright and the eye is 1.7 m above the ground") {
-  const World world(corners({20, 12, 9}));
+  const RayScene world(corners({20, 12, 9}));
   const Lens lens = aimed(world, Camera::View::street);
   CHECK(lens.eye.y == doctest::Approx(1.7));
   CHECK(lens.right.y == doctest::Approx(0));
@@ -107,14 +107,14 @@ TEST_CASE("in a large scene the street is found") {
   for (const Vec3 q : p) {
     for (const double c : {q.x, q.y, q.z}) scene.points.push_back(static_cast<float>(c));
   }
-  const World world(scene);
+  const RayScene world(scene);
   const Stand stand = find_street(world, Tracer(world));
   CHECK(std::abs(stand.eye.z) < 6);
   CHECK(std::abs(stand.direction.x) > 0.95);
 }
 
 TEST_CASE("a camera that makes no sense still gives rays") {
-  const World world(corners({5, 5, 5}));
+  const RayScene world(corners({5, 5, 5}));
   const Tracer tracer(world);
   PictureOptions options;
   options.camera.view = Camera::View::free;

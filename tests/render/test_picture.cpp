@@ -102,7 +102,7 @@ TEST_CASE("any number of threads gives the same bytes") {
 
 TEST_CASE("a picture made in bands has no seams") {
   const PictureOptions options = small();
-  const World world(box_scene({9, 6, 5}));
+  const RayScene world(box_scene({9, 6, 5}));
   const Tracer tracer(world);
   const Lens lens = aim(world, tracer, options);
   const Lighting lighting(world, tracer, lens.forward);
@@ -170,7 +170,7 @@ TEST_CASE("paint shows its colour, glass the sky") {
 }
 
 TEST_CASE("edges are inked, and less so far away") {
-  const World world(box_scene({5, 6, 5}));
+  const RayScene world(box_scene({5, 6, 5}));
   const Tracer tracer(world);
   const auto strongest = [&](double distance) {
     const PictureOptions options = from({5 + distance, 3, 5 + distance}, {2, 3, 2});

@@ -10,7 +10,7 @@
 namespace mansard {
 namespace {
 
-constexpr Ink black{0, 0, 0};
+constexpr Rgb black{0, 0, 0};
 
 Picture white(int width, int height) {
   return {width, height, std::vector<uint8_t>(static_cast<std::size_t>(3 * width * height), 255)};

@@ -12,7 +12,7 @@
 
 namespace mansard {
 
-struct World {
+struct RayScene {
   /// Triangle numbers that are not triangles.
   static constexpr uint32_t sky = 0xffffffff, ground = 0xfffffffe;
 
@@ -31,9 +31,9 @@ struct World {
   Float3 low, high;              ///< bounds of corners; low.y is just above 0
   float radius = 10;             ///< metres from the middle of the bounds, on the ground
 
-  explicit World(const Scene& scene);
+  explicit RayScene(const Scene& scene);
   /// In the frame of another world: on its ground, in its light, seen by its lenses.
-  World(const Scene& scene, const World& frame);
+  RayScene(const Scene& scene, const RayScene& frame);
 
   std::size_t triangles() const { return source.size(); }
   Float3 middle() const { return (low + high) * 0.5F; }

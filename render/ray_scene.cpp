@@ -1,4 +1,4 @@
-#include "render/world.hpp"
+#include "render/ray_scene.hpp"
 
 #include <limits>
 #include <map>
@@ -40,14 +40,14 @@ Float3 valid_color(Vec3 color) {
 
 }  // namespace
 
-World::World(const Scene& scene) {
+RayScene::RayScene(const Scene& scene) {
   read_looks(scene);
   find_triangles(scene);
   read_triangles(scene);
   stand_on_ground();
 }
 
-World::World(const Scene& scene, const World& frame) {
+RayScene::RayScene(const Scene& scene, const RayScene& frame) {
   read_looks(scene);
   find_triangles(scene);
   origin = frame.origin;
@@ -57,7 +57,7 @@ World::World(const Scene& scene, const World& frame) {
   radius = frame.radius;
 }
 
-void World::read_looks(const Scene& scene) {
+void RayScene::read_looks(const Scene& scene) {
   std::map<std::string, std::shared_ptr<const Texture>> textures;
   for (const Paint& paint : scene.paints) {
     Look next{valid_color(paint.color), paint.glass, nullptr};
@@ -73,7 +73,7 @@ void World::read_looks(const Scene& scene) {
 }
 
 /// Those that can be drawn, and from their bounds the frame's origin.
-void World::find_triangles(const Scene& scene) {
+void RayScene::find_triangles(const Scene& scene) {
   // The frame's origin is a whole number of metres, so that the shift itself rounds nothing.
   const std::size_t count = scene.points.size() / 9;
   constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -91,7 +91,7 @@ void World::find_triangles(const Scene& scene) {
   origin = {std::round((least.x + most.x) / 2.0), least.y, std::round((least.z + most.z) / 2.0)};
 }
 
-void World::read_triangles(const Scene& scene) {
+void RayScene::read_triangles(const Scene& scene) {
   bool has_texture = false;
   for (const Look& l : looks) has_texture = has_texture || l.texture != nullptr;
   has_texture = has_texture && scene.uvs.size() * 3 >= scene.points.size() * 2;
@@ -114,7 +114,7 @@ void World::read_triangles(const Scene& scene) {
   }
 }
 
-void World::stand_on_ground() {
+void RayScene::stand_on_ground() {
   if (source.empty()) {
     low = {-5, 0, -5};
     high = {5, 5, 5};
@@ -137,7 +137,7 @@ void World::stand_on_ground() {
   origin.y -= gap;
 }
 
-Float3 World::color_at(uint32_t triangle, float u, float v, float pixel) const {
+Float3 RayScene::color_at(uint32_t triangle, float u, float v, float pixel) const {
   if (triangle == ground) return ground_color;
   const Look& seen = look_of(triangle);
   if (!seen.texture || uvs_.empty()) return seen.color;
