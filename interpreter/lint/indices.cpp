@@ -48,8 +48,8 @@ class Indices {
 
 void warn_of_indices(Linting& linting) {
   Indices indices(linting);
-  for (std::size_t i = 0; i < linting.program.styles.size(); ++i) {
-    const auto style = static_cast<uint16_t>(i);
+  const auto styles = static_cast<uint16_t>(linting.program.styles.size());
+  for (uint16_t style = 0; style < styles; ++style) {
     if (linting.reach.live(style)) indices.look_through(style);
   }
 }

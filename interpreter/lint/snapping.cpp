@@ -131,7 +131,8 @@ void warn_of_snapping(Linting& linting) {
   const Program& program = linting.program;
   if (!program.snaps) return;
   std::set<const Call*> lost, met;
-  for (uint16_t style = 0; style < program.styles.size(); ++style) {
+  const auto styles = static_cast<uint16_t>(program.styles.size());
+  for (uint16_t style = 0; style < styles; ++style) {
     if (!linting.reach.live(style)) continue;
     const Planes planes(program, style);
     (planes.none_at_all() ? lost : met).insert(planes.splits().begin(), planes.splits().end());
