@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -16,10 +17,25 @@
 
 namespace mansard {
 
+void DiskMeshes::keep_within(const Library& library) {
+  std::vector<std::string> folders = library.style_path();
+  for (const syntax::File& file : library.read_files())
+    folders.push_back(Library::folder_of({file.source, 0, 0}));
+  std::ranges::sort(folders);
+  const auto again = std::ranges::unique(folders);
+  folders.erase(again.begin(), again.end());
+  const std::scoped_lock lock(mutex_);
+  folders_ = std::move(folders);
+}
+
 const Mesh* DiskMeshes::mesh(const std::string& path, std::string& problem) {
   const std::scoped_lock lock(mutex_);
-  auto [it, fresh] = known_.try_emplace(path);
-  if (fresh) it->second.mesh = read_mesh(path, it->second.problem);
+  auto [it, fresh] = known_[folders_].try_emplace(path);
+  if (fresh) {
+    MeshLimits limits;
+    limits.folders = folders_;
+    it->second.mesh = read_mesh(path, it->second.problem, limits);
+  }
   problem = it->second.problem;
   return it->second.mesh ? &*it->second.mesh : nullptr;
 }
@@ -83,6 +99,7 @@ std::string Session::style_taken(const Arguments& arguments) const {
 bool Session::compile(const std::string& script, const CompileOptions& options) {
   Diagnostics diagnostics;
   const bool read = library_.load(script, diagnostics) != nullptr;
+  meshes_.keep_within(library_);
   if (read && !diagnostics.has_errors())
     program_ = mansard::compile(library_, meshes_, options, diagnostics);
   diagnostics.sort();

@@ -1,10 +1,12 @@
 // What every command that compiles a style needs: the disk, the library, the program.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "formats/footprints.hpp"
@@ -17,6 +19,9 @@ namespace mansard {
 /// Meshes from disk, each read once.
 class DiskMeshes final : public MeshSource {
  public:
+  /// From now on only what lies below the folders of the library's scripts and of its style path is
+  /// read. Before, nothing is held back.
+  void keep_within(const Library& library);
   const Mesh* mesh(const std::string& path, std::string& problem) override;
   bool has_picture(const std::string& path) override;
 
@@ -26,7 +31,9 @@ class DiskMeshes final : public MeshSource {
     std::string problem;
   };
   std::mutex mutex_;
-  std::unordered_map<std::string, Entry> known_;
+  std::vector<std::string> folders_;
+  /// By the folders that the reading was bound to, then by path.
+  std::map<std::vector<std::string>, std::unordered_map<std::string, Entry>> known_;
   std::unordered_map<std::string, bool> pictures_;
 };
 

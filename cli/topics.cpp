@@ -168,7 +168,8 @@ it wait for a later one. mansard tree FILE.style FOOTPRINT --rounds shows the li
               GLASS : color("#31434d") opacity(0.4) }
 
 A weight or a bar ends an alternative; : sets, + adds, - takes away. An element's meshes are its levels of
-detail, nearest first; a flat scope keeps the mesh's own depth. Looks are drawn per "shape", "building" or
+detail, nearest first; a flat scope keeps the mesh's own depth, and a face that is no rectangle cuts it off at
+its outline. insert(file, "fit" | "keep" | "keep_ratio") does so in a rule. Looks are drawn per "shape", "building" or
 the nearest shape above of a symbol. See mansard help files for where meshes are looked for.
 Pictures show looks in sunlight: lighter than written where it falls, darker in the shade. A model has them
 as written.)"},
@@ -250,7 +251,10 @@ linear. Textures are PNG or JPEG. A .glb holds at most 4 GB.)"},
                                    It stands at the top of a script, which then knows that one's styles:
                                    style Mine : House { Tile { override var Width = 0.9 } }
   Elements { WINDOW : "w.mesh" }   the same places; then w.obj and w.glb; if missing, warning W008
-  insert("tree.obj"), texture("brick.png")   beside the script
+  insert("tree.obj"), texture("brick.png")   beside the script, then in --style-path
+
+Meshes, and what they name, are read only from below the folders of the scripts, of --style-path and of the
+library, links followed: --style-path DIR adds one. A mesh file has at most 256 MB.
 
 The library is share/mansard/styles beside an installed program, else styles/library of the sources.)"},
 };

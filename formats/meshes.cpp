@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <unordered_map>
 
-#include "formats/assimp_module.hpp"
-#include "formats/module.hpp"
+#include "formats/mesh_process.hpp"
 #include "formats/obj_reader.hpp"
 #include "geometry/clip.hpp"
 
@@ -15,21 +15,6 @@ namespace mansard {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<Mesh> read_by_assimp(const std::string& path, std::string& problem) {
-  const fs::file_status status = fs::status(path);
-  if (!fs::is_regular_file(status)) {
-    problem = !fs::exists(status)        ? "no such file"
-              : fs::is_directory(status) ? "is a folder"
-                                         : "is a device or a pipe";
-    return {};
-  }
-  const auto read = reinterpret_cast<decltype(&mansard_read_mesh)>(
-      module_symbol("mansard_meshes", "mansard_read_mesh", problem));
-  Mesh mesh;
-  if (read == nullptr || !read(path.c_str(), mesh, problem)) return {};
-  return mesh;
-}
 
 /// Points at the same place become one: formats that keep a point's normal and UV with it repeat
 /// it for every face, and the solid would fall apart into faces.
@@ -53,12 +38,60 @@ void weld(Mesh& mesh) {
   mesh.points = std::move(points);
 }
 
+/// What no mesh of a building has.
+std::string fault(const Mesh& mesh) {
+  constexpr uint32_t most_corners = 10000;
+  for (const Vec3& p : mesh.points) {
+    if (!std::isfinite(p.x + p.y + p.z)) return "has a vertex that is not finite";
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > furthest_point)
+      return "reaches further than a million km";
+  }
+  const auto many = std::ranges::find_if(
+      mesh.faces, [](const Mesh::Face& face) { return face.end - face.begin > most_corners; });
+  if (many == mesh.faces.end()) return {};
+  return "has a face of " + std::to_string(many->end - many->begin) + " corners, more than " +
+         std::to_string(most_corners);
+}
+
 /// Within a millionth of the face's extent.
 bool is_planar(std::span<const Vec3> loop, Vec3 normal) {
   const Vec3 n = normalized(normal);
   const double tolerance = 1e-6 * length(bounds(loop).size());
   return std::all_of(loop.begin(), loop.end(),
                      [&](Vec3 p) { return std::abs(dot(n, p - loop[0])) <= tolerance; });
+}
+
+/// Every edge has its opposite.
+bool is_closed(const Mesh& mesh) {
+  std::map<std::pair<uint32_t, uint32_t>, int> balance;
+  for (const Mesh::Face& face : mesh.faces) {
+    const auto loop = mesh.loop(face);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+      if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; });
+}
+
+/// Below 0 where a closed mesh shows its inside.
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  std::vector<Vec3> loop;
+  for (const Mesh::Face& face : mesh.faces) {
+    loop.clear();
+    for (const uint32_t corner : mesh.loop(face))
+      loop.push_back(mesh.points[corner] - mesh.points[0]);
+    sum += dot(loop[0], newell(loop)) / 6;
+  }
+  return sum;
+}
+
+void turn(Mesh& mesh) {
+  for (const Mesh::Face& face : mesh.faces) {
+    std::reverse(mesh.corners.begin() + face.begin, mesh.corners.begin() + face.end);
+    if (!mesh.uvs.empty()) std::reverse(mesh.uvs.begin() + face.begin, mesh.uvs.begin() + face.end);
+  }
 }
 
 /// Copies the face if it is planar, else its triangles; nothing of what has no area.
@@ -104,24 +137,34 @@ class Tidied {
 
 }  // namespace
 
-std::optional<Mesh> read_mesh(const std::string& path, std::string& problem) {
+std::optional<Mesh> read_mesh(const std::string& path, std::string& problem,
+                              const MeshLimits& limits) {
+  problem = refusal(path, limits);
+  if (!problem.empty()) return {};
   std::string ending = fs::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
   std::optional<Mesh> mesh;
   if (ending == ".obj") {
-    if (auto file = read_obj(path, problem)) mesh = std::move(file->mesh);
+    if (auto file = read_obj(path, problem, limits)) mesh = std::move(file->mesh);
   } else {
-    mesh = read_by_assimp(path, problem);
+    mesh = read_apart(path, limits, problem);
   }
   if (!mesh) return {};
-  weld(*mesh);
-  Tidied tidied(*mesh);
-  for (const Mesh::Face& face : mesh->faces) tidied.add(face);
+  return tidied(std::move(*mesh), problem);
+}
+
+std::optional<Mesh> tidied(Mesh mesh, std::string& problem) {
+  problem = fault(mesh);
+  if (!problem.empty()) return {};
+  weld(mesh);
+  Tidied tidied(mesh);
+  for (const Mesh::Face& face : mesh.faces) tidied.add(face);
   if (tidied.to.faces.empty()) {
     problem = "has no faces with an area";
     return {};
   }
+  if (is_closed(mesh) && volume(mesh) < 0) turn(tidied.to);
   return std::move(tidied.to);
 }
 

@@ -11,4 +11,7 @@ namespace mansard {
 /// `problem` says why. A module stays loaded.
 void* module_symbol(const std::string& name, const char* symbol, std::string& problem);
 
+/// The program `name`, looked for in the same places; on failure empty.
+std::string program_beside(const std::string& name, std::string& problem);
+
 }  // namespace mansard

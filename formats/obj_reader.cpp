@@ -5,13 +5,11 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <istream>
+#include <sstream>
 #include <streambuf>
 
 #include "formats/color.hpp"
@@ -46,21 +44,31 @@ class Text final : public std::streambuf {
   std::string original_, joined_;
 };
 
-/// Keeps what tinyobjloader read of the MTL files: its callbacks would fail on an empty one.
+/// Keeps what tinyobjloader read of the MTL files: its callbacks would fail on an empty one. A file
+/// that is refused is a problem, one that is missing is not.
 class Materials final : public tinyobj::MaterialReader {
  public:
-  explicit Materials(const std::string& folder) : file_(folder) {}
+  Materials(fs::path folder, const MeshLimits& limits)
+      : folder_(std::move(folder)), limits_(limits) {}
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* all,
                   std::map<std::string, int>* numbers, std::string* warning,
                   std::string* error) override {
-    const bool ok = file_(name, all, numbers, warning, error);
+    const std::string path = (folder_ / name).string();
+    std::string why;
+    std::istringstream text(content_within(path, limits_, why));
+    if (!why.empty() && why != "no such file" && problem.empty())
+      problem = "'" + path + "' can not be read: it " + why;
+    if (!why.empty()) return false;
+    tinyobj::LoadMtl(numbers, all, &text, warning, error);
     all_ = *all;
-    return ok;
+    return true;
   }
   const std::vector<tinyobj::material_t>& all() const { return all_; }
+  std::string problem;  ///< the first
 
  private:
-  tinyobj::MaterialFileReader file_;
+  fs::path folder_;
+  const MeshLimits& limits_;
   std::vector<tinyobj::material_t> all_;
 };
 
@@ -161,7 +169,8 @@ tinyobj::callback_t callbacks() {
   return to;
 }
 
-Mesh::Material convert(const tinyobj::material_t& from, const fs::path& folder) {
+Mesh::Material convert(const tinyobj::material_t& from, const fs::path& folder,
+                       const MeshLimits& limits, std::string& problem) {
   Mesh::Material to;
   to.name = from.name;
   to.color = {to_linear(from.diffuse[0]), to_linear(from.diffuse[1]), to_linear(from.diffuse[2])};
@@ -169,64 +178,42 @@ Mesh::Material convert(const tinyobj::material_t& from, const fs::path& folder) 
   if (!from.diffuse_texname.empty()) {
     std::string name = from.diffuse_texname;
     std::replace(name.begin(), name.end(), '\\', '/');
-    std::error_code ignored;
-    if (fs::is_regular_file(folder / name, ignored)) to.texture = (folder / name).string();
+    to.texture = named_picture(folder, name, limits, problem);
   }
   return to;
 }
 
-std::optional<std::string> whole_text(const std::string& path, std::string& problem) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    problem = "no such file";
-    return {};
-  }
-  if (fs::is_directory(status)) {
-    problem = "is a folder";
-    return {};
-  }
-  if (!fs::is_regular_file(status)) {
-    problem = "is a device or a pipe";
-    return {};
-  }
-  std::ifstream in(path, std::ios::binary);
-  std::string text;
-  if (in) text.assign(std::istreambuf_iterator<char>(in), {});
-  if (!in) {
-    problem = std::strerror(errno);
-    return {};
-  }
-  return text;
-}
-
 }  // namespace
 
-std::optional<ObjFile> read_obj(const std::string& path, std::string& problem) {
-  std::optional<std::string> content = whole_text(path, problem);
-  if (!content) return {};
-  Text text(std::move(*content));
+std::optional<ObjFile> read_obj(const std::string& path, std::string& problem,
+                                const MeshLimits& limits) {
+  std::string content = content_within(path, limits, problem);
+  if (!problem.empty()) return {};
+  return read_obj_text(std::move(content), fs::path(path).parent_path(), problem, limits);
+}
+
+std::optional<ObjFile> read_obj_text(std::string content, const fs::path& folder,
+                                     std::string& problem, const MeshLimits& limits) {
+  Text text(std::move(content));
   std::istream in(&text);
-  const fs::path folder = fs::path(path).parent_path();
-  Materials materials(folder.empty() ? "" : folder.string() + "/");
+  Materials materials(folder, limits);
   Reading reading;
   reading.text = &text;
   reading.start_object();
   std::string warning, error;
   tinyobj::LoadObjWithCallback(in, callbacks(), &reading, &materials, &warning, &error);
-  if (reading.problem.empty() && reading.file.mesh.faces.empty()) reading.problem = "has no faces";
-  if (!reading.problem.empty()) {
-    problem = reading.problem;
-    return {};
-  }
+  problem = !reading.problem.empty() ? reading.problem : materials.problem;
+  if (problem.empty() && reading.file.mesh.faces.empty()) problem = "has no faces";
+  if (!problem.empty()) return {};
   reading.file.objects.back().end = static_cast<uint32_t>(reading.file.mesh.faces.size());
   std::erase_if(reading.file.objects, [](const auto& o) { return o.begin == o.end; });
   Mesh& mesh = reading.file.mesh;
   if (!reading.has_uvs) mesh.uvs.clear();
   mesh.materials.push_back({});
   for (const tinyobj::material_t& m : materials.all()) {
-    mesh.materials.push_back(convert(m, folder));
+    mesh.materials.push_back(convert(m, folder, limits, problem));
   }
+  if (!problem.empty()) return {};
   return std::move(reading.file);
 }
 

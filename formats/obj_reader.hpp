@@ -1,10 +1,12 @@
 // Wavefront OBJ and its MTL as a mesh, by tinyobjloader.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "formats/mesh_limits.hpp"
 #include "geometry/mesh.hpp"
 
 namespace mansard {
@@ -19,6 +21,10 @@ struct ObjFile {
 };
 
 /// On failure nothing, and `problem` says why: "no such file", "line 3: face of unknown vertex".
-std::optional<ObjFile> read_obj(const std::string& path, std::string& problem);
+std::optional<ObjFile> read_obj(const std::string& path, std::string& problem,
+                                const MeshLimits& limits = {});
+/// The same of a text whose MTL files and pictures lie in `folder`.
+std::optional<ObjFile> read_obj_text(std::string content, const std::filesystem::path& folder,
+                                     std::string& problem, const MeshLimits& limits = {});
 
 }  // namespace mansard

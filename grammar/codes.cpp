@@ -79,9 +79,11 @@ fits.
 Put its condition right, or take it away. Several ': else' after each other are alternatives, drawn by their
 probabilities.)"},
     CodePage{
-        "W008", "The mesh of an element is missing.",
+        "W008", "The mesh of an element is missing or can not be read.",
         R"(The file was looked for beside the script that names it, in the style path and in the library, and
-under the same name with the endings .obj and .glb. Shapes of the symbol stay plain polygons.
+under the same name with the endings .obj and .glb. Shapes of the symbol stay plain polygons. A mesh is not read
+where it, or a file that it names, lies outside the folders of the scripts, of --style-path and of the library,
+nor where it is larger than 256 MB or broken.
 
     Elements { WINDOW : "sash_window.obj" }
 

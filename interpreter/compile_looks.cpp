@@ -55,7 +55,9 @@ void Compiler::element_choice(const ElementChoice& alternative, ElementTable& ta
 const Mesh* Compiler::element_mesh(const std::string& path, Span at) {
   std::vector<std::string> folders{Library::folder_of(at)};
   folders.insert(folders.end(), library_.style_path().begin(), library_.style_path().end());
-  const std::string stem = path.substr(0, path.rfind('.'));
+  const std::size_t dot = path.rfind('.'), slash = path.rfind('/');
+  const std::string stem =
+      slash != path.npos && dot != path.npos && dot < slash ? path : path.substr(0, dot);
   std::string problem = "no such file", last;
   for (const std::string& name : {path, stem + ".obj", stem + ".glb"}) {
     for (const std::string& folder : folders) {

@@ -41,7 +41,7 @@ Json code_actions(Project& project, const Params& params) {
   };
   const Range asked{place("start"), place("end")};
   std::vector<Json> actions;
-  for (const Diagnostic& d : at.view->checked(project.meshes()).all()) {
+  for (const Diagnostic& d : at.view->checked(project.meshes(*at.view)).all()) {
     if (!d.at || d.at.source != at.file->source) continue;
     const Range range = at.view->range(d.at);
     if (range.end < asked.start || asked.end < range.start) continue;

@@ -44,7 +44,7 @@ bool check_next(Project& project) {
   for (const auto& [identity, document] : project.documents().all()) {
     View& view = project.view(document.path);
     if (view.is_checked()) continue;
-    view.checked(project.meshes());
+    view.checked(project.meshes(view));
     return true;
   }
   return false;
@@ -61,7 +61,7 @@ std::map<std::string, std::vector<Wrong>> collect(Project& project) {
   for (const bool own : {true, false}) {
     for (const auto& [identity, document] : project.documents().all()) {
       View& view = project.view(document.path);
-      for (const Diagnostic& d : view.checked(project.meshes()).all()) {
+      for (const Diagnostic& d : view.checked(project.meshes(view)).all()) {
         const bool is_own = !d.at || (view.root() && d.at.source == view.root()->source);
         if (is_own != own) continue;
         auto& of_file = found[d.at ? project.documents().uri(d.at.source->name()) : document.uri];

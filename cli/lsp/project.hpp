@@ -33,7 +33,11 @@ class Project {
   Documents& documents() { return documents_; }
   Workspace& workspace() { return workspace_; }
   ScriptsAlone& alone() { return alone_; }
-  MeshSource& meshes() { return *meshes_; }
+  /// For checking the view: within its folders.
+  MeshSource& meshes(View& view) {
+    meshes_->keep_within(view.library());
+    return *meshes_;
+  }
   /// Meshes and pictures may be others: they are read anew when asked for next.
   void forget_files();
   const std::vector<std::string>& style_path() const { return style_path_; }

@@ -109,6 +109,26 @@ TEST_CASE("faces with hundreds of corners stay whole") {
   CHECK(mesh->corners.size() == 1000);
 }
 
+TEST_CASE("a closed mesh that shows its inside is turned, an open one is not") {
+  const Folder folder;
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string outwards = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const std::string inwards = "f 2 3 1\nf 4 2 1\nf 4 3 2\nf 4 1 3\n";
+  std::string problem;
+  for (const std::string& faces : {outwards, inwards}) {
+    const auto mesh = read_mesh(folder.write("a.obj", points + faces), problem);
+    REQUIRE_MESSAGE(mesh, problem);
+    for (const Mesh::Face& face : mesh->faces) {
+      std::vector<Vec3> loop;
+      for (uint32_t c : mesh->loop(face)) loop.push_back(mesh->points[c]);
+      CHECK(dot(newell(loop), loop[0] - Vec3{0.1, 0.1, 0.1}) > 0);
+    }
+  }
+  const auto open = read_mesh(folder.write("b.obj", points + "f 2 3 1\n"), problem);
+  REQUIRE(open);
+  CHECK(open->loop(open->faces[0])[0] == 1);
+}
+
 TEST_CASE("PLY, COLLADA and glTF come through Assimp, nodes merged") {
   const Folder folder;
   std::string problem;

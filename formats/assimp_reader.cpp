@@ -1,15 +1,17 @@
-#include "formats/assimp_module.hpp"
+#include "formats/assimp_reader.hpp"
 
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <new>
 
 #include "formats/color.hpp"
 
@@ -17,6 +19,25 @@ namespace mansard {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Opens what the limits allow: a file names others, and those may be anything.
+class AllowedFiles final : public Assimp::DefaultIOSystem {
+ public:
+  explicit AllowedFiles(const MeshLimits& limits) : limits_(limits) {}
+  bool Exists(const char* path) const override { return refusal(path, limits_).empty(); }
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    const std::string why = refusal(path, limits_);
+    if (why.empty() && std::string_view(mode).find_first_of("wa+") == std::string_view::npos)
+      return Assimp::DefaultIOSystem::Open(path, mode);
+    if (problem.empty() && !why.empty() && why != "no such file")
+      problem = "names '" + std::string(path) + "', which " + why;
+    return nullptr;
+  }
+  std::string problem;  ///< the first
+
+ private:
+  const MeshLimits& limits_;
+};
 
 /// COLLADA and FBX know no colour space and are written in sRGB; glTF's factors are linear.
 bool is_linear(const std::string& path) {
@@ -26,7 +47,8 @@ bool is_linear(const std::string& path) {
   return ending == ".gltf" || ending == ".glb";
 }
 
-Mesh::Material convert(const aiMaterial& from, const std::string& path) {
+Mesh::Material convert(const aiMaterial& from, const std::string& path, const MeshLimits& limits,
+                       std::string& problem) {
   Mesh::Material to;
   aiString text;
   if (from.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS) to.name = text.C_Str();
@@ -43,9 +65,7 @@ Mesh::Material convert(const aiMaterial& from, const std::string& path) {
       from.GetTexture(aiTextureType_DIFFUSE, 0, &text) == aiReturn_SUCCESS) {
     std::string name = text.C_Str();
     std::replace(name.begin(), name.end(), '\\', '/');
-    const fs::path texture = fs::path(path).parent_path() / name;
-    std::error_code ignored;
-    if (fs::is_regular_file(texture, ignored)) to.texture = texture.string();
+    to.texture = named_picture(fs::path(path).parent_path(), name, limits, problem);
   }
   return to;
 }
@@ -53,10 +73,12 @@ Mesh::Material convert(const aiMaterial& from, const std::string& path) {
 class Collected {
  public:
   Collected(const aiScene& scene, Mesh& mesh) : scene_(scene), mesh_(mesh) {
+    mesh_.clear();
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       has_uvs_ = has_uvs_ || scene.mMeshes[i]->HasTextureCoords(0);
     }
   }
+  bool is_sound() const { return sound_; }
   void add(const aiNode& node, const aiMatrix4x4& parent) {
     const aiMatrix4x4 transform = parent * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], transform);
@@ -75,14 +97,19 @@ class Collected {
   }
   void add(const aiMesh& part, const aiFace& face, uint32_t base, bool mirrored) {
     if (face.mNumIndices < 3) return;
+    const auto known = [&](unsigned at) { return at < part.mNumVertices; };
+    if (!std::all_of(face.mIndices, face.mIndices + face.mNumIndices, known)) {
+      sound_ = false;
+      return;
+    }
     const auto begin = static_cast<uint32_t>(mesh_.corners.size());
     for (unsigned i = 0; i < face.mNumIndices; ++i) {
       const unsigned at = face.mIndices[mirrored ? face.mNumIndices - 1 - i : i];
       mesh_.corners.push_back(base + at);
       if (!has_uvs_) continue;
-      const bool known = part.HasTextureCoords(0);
-      mesh_.uvs.push_back(known ? Vec2{part.mTextureCoords[0][at].x, part.mTextureCoords[0][at].y}
-                                : Vec2{});
+      mesh_.uvs.push_back(part.HasTextureCoords(0)
+                              ? Vec2{part.mTextureCoords[0][at].x, part.mTextureCoords[0][at].y}
+                              : Vec2{});
     }
     mesh_.faces.push_back(
         {begin, static_cast<uint32_t>(mesh_.corners.size()), {}, part.mMaterialIndex});
@@ -90,31 +117,34 @@ class Collected {
 
   const aiScene& scene_;
   Mesh& mesh_;
-  bool has_uvs_ = false;
+  bool has_uvs_ = false, sound_ = true;
 };
 
 }  // namespace
-}  // namespace mansard
 
-extern "C" bool mansard_read_mesh(const char* path, mansard::Mesh& mesh, std::string& problem) try {
+bool read_by_assimp(const std::string& path, const MeshLimits& limits, Mesh& mesh,
+                    std::string& problem) {
   Assimp::Importer importer;
+  auto* const files = new AllowedFiles(limits);
+  importer.SetIOHandler(files);  // which owns it
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_LINE | aiPrimitiveType_POINT);
   const aiScene* scene = importer.ReadFile(path, aiProcess_SortByPType);
+  problem = files->problem;
+  if (!problem.empty()) return false;
   if (scene == nullptr || scene->mRootNode == nullptr) {
     problem = importer.GetErrorString();
+    if (problem == "std::bad_alloc") throw std::bad_alloc();
     return false;
   }
-  mansard::Collected(*scene, mesh).add(*scene->mRootNode, aiMatrix4x4());
+  Collected collected(*scene, mesh);
+  collected.add(*scene->mRootNode, aiMatrix4x4());
   for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
-    mesh.materials.push_back(mansard::convert(*scene->mMaterials[i], path));
+    mesh.materials.push_back(convert(*scene->mMaterials[i], path, limits, problem));
   }
-  const bool finite = std::all_of(mesh.points.begin(), mesh.points.end(),
-                                  [](mansard::Vec3 p) { return std::isfinite(p.x + p.y + p.z); });
-  if (!finite) problem = "has a vertex that is not finite";
-  if (mesh.faces.empty()) problem = "has no faces";
-  return finite && !mesh.faces.empty();
-} catch (const std::exception& e) {
-  problem = e.what();
-  return false;
+  if (!collected.is_sound()) problem = "has a face of unknown vertices";
+  if (mesh.faces.empty() && problem.empty()) problem = "has no faces";
+  return problem.empty();
 }
+
+}  // namespace mansard
