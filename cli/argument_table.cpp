@@ -24,7 +24,7 @@ constexpr std::array arguments{
     ArgumentRow{"snap", "label", "text: splits with to = \"...\" snap only to planes of that label"},
     ArgumentRow{"comp", "selector", "the faces that the one part takes, comp(\"facades\") { A }; without it every part has its selector"},
     ArgumentRow{"extrude", "height", "metres, 0 or more"},
-    ArgumentRow{"extrude", "corners", "\"square\" (if nothing is said)"},
+    ArgumentRow{"extrude", "corners", "of a wall's band: \"square\" (if nothing is said) or \"mitre\""},
     ArgumentRow{"detrude", "depth", "metres into the wall, 0 or more"},
     ArgumentRow{"taper", "height", "metres to the point, 0 or more"},
     ArgumentRow{"offset", "distance", "metres; inwards, a negative one outwards"},

@@ -6,6 +6,7 @@
 
 #include "geometry/clip.hpp"
 #include "geometry/clip_line.hpp"
+#include "geometry/clip_outline.hpp"
 
 namespace mansard {
 namespace {
@@ -18,7 +19,8 @@ using DirectedEdge = std::pair<uint32_t, uint32_t>;
 class PlaneCutter {
  public:
   PlaneCutter(const Mesh& mesh, Vec3 normal, double offset, double tolerance);
-  Mesh run();
+  Mesh closed();
+  Mesh open();
 
  private:
   void cut_face(const Mesh::Face& face);
@@ -61,7 +63,16 @@ PlaneCutter::PlaneCutter(const Mesh& mesh, Vec3 normal, double offset, double to
   }
 }
 
-Mesh PlaneCutter::run() {
+Mesh PlaneCutter::closed() {
+  if (!any_cut_) return mesh_;
+  Mesh unclosed = open();
+  if (!any_kept_) return unclosed;
+  result_ = std::move(unclosed);
+  cap();
+  return std::move(result_);
+}
+
+Mesh PlaneCutter::open() {
   if (!any_cut_) return mesh_;
   if (!any_kept_) return {};
   result_.materials = mesh_.materials;
@@ -82,7 +93,6 @@ Mesh PlaneCutter::run() {
       if (dot(newell(loop), normal_) > 0) copy_face(face);
     }
   }
-  cap();
   return std::move(result_);
 }
 
@@ -266,7 +276,11 @@ void PlaneCutter::add_cap_face(std::span<const uint32_t> loop, uint32_t material
 }  // namespace
 
 Mesh clip(const Mesh& mesh, Vec3 normal, double offset, double tolerance) {
-  return PlaneCutter(mesh, normal, offset, tolerance).run();
+  return PlaneCutter(mesh, normal, offset, tolerance).closed();
+}
+
+Mesh clip_open(const Mesh& mesh, Vec3 normal, double offset, double tolerance) {
+  return PlaneCutter(mesh, normal, offset, tolerance).open();
 }
 
 }  // namespace mansard

@@ -66,6 +66,12 @@ class Askers {
   std::vector<std::optional<Asks>> variables_;
 };
 
+/// extrude(depth, corners = "mitre") or with a word that is computed.
+bool has_corners(const Call& call) {
+  const std::size_t at = call.operation->find_parameter("corners");
+  return at < call.operation->count && call.args[at].value != none;
+}
+
 /// Looks through a production.
 struct Look {
   const Program& program;
@@ -93,7 +99,8 @@ void Compiler::find_waiting() {
   program_.snaps = std::ranges::find(snapping, true) != snapping.end();
   program_.asks = program_.snaps ||
                   std::ranges::find(program_.nodes, Asks::others, asked_by) != program_.nodes.end();
-  program_.reads_corners = std::ranges::any_of(program_.nodes, is_corner);
+  program_.reads_corners = std::ranges::any_of(program_.nodes, is_corner) ||
+                           std::ranges::any_of(program_.calls, has_corners);
   Askers askers(program_);
   // A rule set's super was declared before it.
   for (RuleSet& set : program_.rule_sets) {

@@ -164,8 +164,15 @@ void push_mesh_faces(Machine& machine, const Shape& shape) {
     machine.scratch_shapes.push_back(face_of(machine, shape, loop, {}, f.tag));
     if (machine.program.reads_corners) loops.push_back(loop);
   }
-  if (machine.program.reads_corners)
-    set_mesh_corners(std::span(machine.scratch_shapes).subspan(first), loops);
+  if (!machine.program.reads_corners) return;
+  const auto faces = std::span(machine.scratch_shapes).subspan(first);
+  set_mesh_corners(faces, loops);
+  if (!(shape.open & side_back)) return;
+  for (Shape& face : faces) {  // a relief's front keeps the corners of the wall that it rose from
+    if (dot(face.scope.z, shape.scope.z) < 1 - 1e-9) continue;
+    face.corner_left = shape.corner_left;
+    face.corner_right = shape.corner_right;
+  }
 }
 
 void push_framed(Machine& machine, Shape face) {

@@ -4,6 +4,7 @@
 #include "geometry/clip.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/machine.hpp"
+#include "interpreter/outlined.hpp"
 
 namespace mansard {
 namespace {
@@ -248,7 +249,8 @@ const ElementTable::Choice& Machine::choose_element(const ElementTable& table, c
   return table.choices[chosen];
 }
 
-/// One alternative, fitted to the scope; a flat scope keeps the mesh's own depth.
+/// One alternative, fitted to the scope and cut by its outline; a flat scope keeps the mesh's own
+/// depth.
 bool Machine::draw_element(const Shape& shape, uint32_t number) {
   const ElementTable& table = program.element_tables[number];
   if (table.choices.empty() || shape.form == Form::line) return false;
@@ -264,6 +266,12 @@ bool Machine::draw_element(const Shape& shape, uint32_t number) {
   Shape fitted = shape;
   if (fitted.scope.size.z < thin) fitted.scope.size.z = pooled.natural.z;
   const uint32_t look = look_of(shape, shape.symbol);
+  if (cuts_meshes(shape)) {
+    pooled.own = outlined(*this, shape, pooled, fitted.scope.size);
+    pooled.borrowed = nullptr;
+    pooled.low = {};
+    pooled.natural = fitted.scope.size;
+  }
   draw_mesh(fitted, look, pooled, choice.materials[level]);
   close_run(shape.symbol, look);
   return true;

@@ -208,9 +208,7 @@ struct LaterWords {
   std::string_view parameter;
   std::array<std::string_view, 10> words;
 };
-constexpr std::array later_words{
-    LaterWords{"corners", {"mitre"}},
-};
+constexpr std::array<LaterWords, 0> later_words{};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "geometry/mesh.hpp"
 #include "interpreter/component.hpp"
+#include "interpreter/corners.hpp"
 
 namespace mansard {
 
@@ -57,6 +58,27 @@ bool wants_lines(const Context& c, std::size_t first) {
   return false;
 }
 
+namespace {
+
+/// Eaves meet at the angles of the walls below them.
+void set_eave_corners(std::span<const RoofLine> lines, const RoofLine& line, Shape& piece) {
+  constexpr double touch = 1e-6;  // metres
+  const auto along = [](const RoofLine& l) {
+    return Vec2{l.to.x - l.from.x, l.from.z - l.to.z};  // in the plan
+  };
+  piece.corner_left = piece.corner_right = 180;
+  if (line.kind != RoofLineKind::eave) return;
+  for (const RoofLine& beside : lines) {
+    if (beside.kind != RoofLineKind::eave) continue;
+    if (length(beside.to - line.from) <= touch)
+      piece.corner_left = static_cast<float>(corner_angle(along(beside), along(line)));
+    if (length(beside.from - line.to) <= touch)
+      piece.corner_right = static_cast<float>(corner_angle(along(line), along(beside)));
+  }
+}
+
+}  // namespace
+
 void give_lines(Context& c, const FaceBorders& borders, std::size_t first) {
   if (!wants_lines(c, first)) return;
   const std::vector<RoofLine> lines = roof_lines(borders.edges, borders.normals, {0, 1, 0});
@@ -66,6 +88,7 @@ void give_lines(Context& c, const FaceBorders& borders, std::size_t first) {
     const auto kind = static_cast<std::size_t>(line.kind);
     if (!c.wants(first + kind)) continue;
     Shape piece = shape_of(c.shape, line, borders.tags[borders.edges[line.edge].face]);
+    if (c.machine.program.reads_corners) set_eave_corners(lines, line, piece);
     piece.comp_index = given[kind]++;
     piece.comp_count = counts[kind];
     piece.comp_name = c.call.parts[c.call.part_of[first + kind]].name;

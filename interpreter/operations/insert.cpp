@@ -5,10 +5,13 @@
 #include "geometry/solids.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
+#include "interpreter/outlined.hpp"
 #include "styles/library.hpp"
 
 namespace mansard {
 namespace {
+
+constexpr std::string_view missing = "no such file";
 
 void become_solid(Context& c, Mesh&& mesh) {
   c.shape.geometry = c.machine.add_mesh(std::move(mesh));
@@ -33,18 +36,35 @@ void need_size(Context& c) {
                  "give it a size first: s(1, 1, 1)");
 }
 
-/// Beside the script, then on the style path. `problem` is that of the first place.
+/// Beside the script, then on the style path. `problem` is that of the first place that has it.
 const Mesh* find_mesh(Context& c, const std::string& path, std::string& problem) {
   const std::string folder = Library::folder_of(c.call.at);
   const bool absolute = path.starts_with('/');
   const std::string beside = absolute || folder.empty() ? path : folder + "/" + path;
-  if (const Mesh* mesh = c.machine.mesh_source.mesh(beside, problem)) return mesh;
+  const Program& program = c.machine.program;
+  MeshSource& source = c.machine.mesh_source;
+  if (const Mesh* mesh = source.mesh(beside, problem)) return mesh;
   if (absolute) return nullptr;
-  for (const std::string& other : c.machine.program.mesh_folders) {
+  for (const std::string& other : program.mesh_folders) {
     std::string elsewhere;
-    if (const Mesh* mesh = c.machine.mesh_source.mesh(other + "/" + path, elsewhere)) return mesh;
+    const Mesh* const mesh = source.mesh(other + "/" + path, elsewhere);
+    if (mesh) return mesh;
+    if (problem == missing) problem = elsewhere;
   }
   return nullptr;
+}
+
+void end_at_outline(Context& c, const Shape& face) {
+  Shape& shape = c.shape;
+  Mesh left = outlined(c.machine, face, c.machine.mesh_of(shape), shape.scope.size);
+  if (left.faces.empty()) {
+    shape.form = Form::nothing;
+    return;
+  }
+  const Box3 box = bounds(left.points);
+  shape.scope.origin = face.scope.at(box.low);
+  shape.scope.size = box.size();
+  shape.geometry = c.machine.add_mesh(std::move(left));
 }
 
 }  // namespace
@@ -52,7 +72,9 @@ const Mesh* find_mesh(Context& c, const std::string& path, std::string& problem)
 namespace operation {
 
 void insert(Context& c, std::string_view path, std::optional<std::string_view> fit) {
+  const Shape face = c.shape;
   put_mesh(c, path, fit);
+  if (cuts_meshes(face)) end_at_outline(c, face);
   c.become(c.shape);
 }
 

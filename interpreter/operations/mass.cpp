@@ -5,6 +5,7 @@
 #include "geometry/solids.hpp"
 #include "interpreter/component.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/mitre.hpp"
 #include "interpreter/operations/functions.hpp"
 
 namespace mansard {
@@ -57,13 +58,19 @@ namespace operation {
 
 void extrude(Context& c, double height, std::optional<std::string_view> corners) {
   positive(c, 0, height);
-  if (corners && *corners != "square") {
+  if (corners && *corners != "square" && *corners != "mitre") {
     c.fail(1, "corners = \"" + std::string(*corners) + "\" is not known here",
-           *corners == "mitre" ? "mitred corners come with a later version" : "write \"square\"");
+           "write \"square\" or \"mitre\"");
   }
   need_flat(c);
-  const bool mass = rises(c.shape);
+  const bool mass = rises(c.shape), mitre = corners == "mitre";
+  if (mass && mitre) {
+    c.fail(1, "only bands on walls have mitred corners, and this lies flat",
+           "take its walls first: comp { side : FACADE }");
+  }
   if (height == 0 || (!mass && c.machine.lod <= 2)) return c.become(c.shape);
+  if (auto band = mitre ? mitred(c.machine, c.shape, height) : std::nullopt)
+    return c.become(*band);
   Shape solid = raised(c.shape, height);
   solid.massive = mass;
   if (mass) {

@@ -38,6 +38,20 @@ TEST_CASE("faces side by side, crossing or a millimetre apart do not fight") {
   CHECK(fights(made("FOOTPRINT -> [ extrude(6) A ] t(1, 1, 1) extrude(6) B")).empty());
 }
 
+TEST_CASE("gutters meet at outer and inner corners of eaves") {
+  const auto gutters = [](const std::string& corners) {
+    return Script::text(
+               "style A { Plot { FOOTPRINT -> roof(\"hip\", 40) { slope : SLATE | eave : "
+               "align(\"axes\") t(0, -0.1, 0) s(W, 0.1, 0) quad() { extrude(0.12" +
+               corners + ") { GUTTER } } } } }")
+        .derive("L:12x9x5x4")
+        .surface;
+  };
+  CHECK(!fights(gutters("")).empty());
+  CHECK(fights(gutters(", corners = \"mitre\"")).empty());
+  CHECK(bounds(gutters(", corners = \"mitre\"").points).low.x == doctest::Approx(-0.12));
+}
+
 TEST_CASE("a gap shows backs, and so does a flipped face") {
   CHECK(
       backs_seen(made(box + "A -> subdiv(\"X\", 1r, 0.05, 1r) { X | NIL | Y }"), 20000, 1).size() >
