@@ -45,8 +45,9 @@ double resident() {
 }
 
 /// After one round over the footprints memory is to stay as it is: `grown` kB is what it did.
-void derive(benchmark::State& state, Compiled& style, const std::vector<Footprint>& footprints) {
-  Derivation derivation = style.derivation();
+void derive(benchmark::State& state, Compiled& style, const std::vector<Footprint>& footprints,
+            int lod = 3) {
+  Derivation derivation = style.derivation({.lod = lod});
   Building building;
   Sums sums;
   for (const Footprint& footprint : footprints) derivation.derive(footprint, building);
@@ -76,6 +77,27 @@ void thesis(benchmark::State& state, const std::string& name, std::size_t operat
 
 void thesis_by_61(benchmark::State& state) { thesis(state, "ThesisBy61", 61); }
 void thesis_by_610(benchmark::State& state) { thesis(state, "ThesisBy610", 610); }
+
+/// The thesis's listing 3.7 with its elements, at a level of detail.
+void thesis_lod(benchmark::State& state, int lod) {
+  Compiled style("styles/library/listings.style", "Building2");
+  std::vector<Footprint> plots = rectangles(100, 10, 8);
+  for (Footprint& plot : plots) plot.properties.push_back({"height", 9.0});
+  derive(state, style, plots, lod);
+}
+
+void thesis_lod1(benchmark::State& state) { thesis_lod(state, 1); }
+void thesis_lod2(benchmark::State& state) { thesis_lod(state, 2); }
+void thesis_lod3(benchmark::State& state) { thesis_lod(state, 3); }
+
+/// The benchmark's own thesis building: a window is a pane and four reveals.
+void plain_lod(benchmark::State& state, int lod) {
+  Compiled style("bench/thesis.style", "ThesisBy61");
+  derive(state, style, rectangles(1000, 10, 8), lod);
+}
+
+void plain_lod1(benchmark::State& state) { plain_lod(state, 1); }
+void plain_lod2(benchmark::State& state) { plain_lod(state, 2); }
 
 void facade_box(benchmark::State& state) {
   Compiled style("bench/facade_box.style");
@@ -132,6 +154,11 @@ void gable_roofs(benchmark::State& state) {
 
 BENCHMARK(thesis_by_61)->Unit(benchmark::kMillisecond);
 BENCHMARK(thesis_by_610)->Unit(benchmark::kMillisecond);
+BENCHMARK(thesis_lod1)->Unit(benchmark::kMillisecond);
+BENCHMARK(thesis_lod2)->Unit(benchmark::kMillisecond);
+BENCHMARK(thesis_lod3)->Unit(benchmark::kMillisecond);
+BENCHMARK(plain_lod1)->Unit(benchmark::kMillisecond);
+BENCHMARK(plain_lod2)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_box)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_asks)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_box_to_obj)->Unit(benchmark::kMillisecond);

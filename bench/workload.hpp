@@ -36,7 +36,9 @@ class Compiled {
  public:
   explicit Compiled(const std::string& script, const std::string& style = {});
   const Program& program() const { return *program_; }
-  Derivation derivation() { return Derivation(*program_, meshes_, {}); }
+  Derivation derivation(const DeriveOptions& options = {}) {
+    return Derivation(*program_, meshes_, options);
+  }
 
  private:
   DiskFiles files_;

@@ -66,11 +66,20 @@ constexpr auto joined(const Parts&... parts) {
 
 constexpr auto derive_flags =
     joined(Flag{"-o,--output", "OUT",
-                "the model to write; its ending says the format: .obj, .glb or .gltf"},
-           variation_flags, threads_flag, plots_flags, street_flags,
+                "the model to write; its ending says the format: .obj, .glb, .gltf, .ply or .stl"},
+           style_flag, seed_flag, set_flag, attr_flag,
+           Flag{"--lod", "N|all",
+                "level of detail: 1 masses, 2 without relief, 3 everything (default); all writes "
+                "the three: town_lod1.obj and so on"},
+           threads_flag, plots_flags, street_flags,
            Flag{"--report", "FILE.json", "counts, areas and report() values"},
-           Flag{"--up", "y|z", "which axis points up in an .obj (default y)"}, derivation_flags,
-           keep_flag, printing_flags);
+           Flag{"--up", "y|z", "which axis points up in an .obj, .ply or .stl (default y)"},
+           Flag{"--instancing", "nodes|gpu|none",
+                "how glTF repeats what is alike: nodes that share a mesh (default), instances of "
+                "EXT_mesh_gpu_instancing, or every copy by itself"},
+           Flag{"--compress", "draco",
+                "glTF's triangles by KHR_draco_mesh_compression, a tenth of a millimetre exact"},
+           derivation_flags, keep_flag, printing_flags);
 constexpr auto check_flags = joined(path_flag, set_flag, printing_flags);
 constexpr auto format_flags =
     joined(Flag{"--write", "", "change the files in place, those that need it"},

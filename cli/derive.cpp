@@ -1,8 +1,10 @@
 // mansard derive
 #include <chrono>
-#include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "cli/derive_all.hpp"
+#include "cli/models.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/remarks.hpp"
@@ -11,117 +13,147 @@
 namespace mansard {
 namespace {
 
-struct Job {
-  Session& session;
-  const Arguments& arguments;
-  std::string out;
+/// A model on its way.
+struct Level {
+  Level(const Program& program, const ModelTarget& t, const ModelOptions& options,
+        const std::string& comment)
+      : target(t), writer(open_model(t.path, options, comment)), looks(program), report(program) {}
+
+  ModelTarget target;
+  std::unique_ptr<SurfaceWriter> writer;
+  Looks looks;
+  Report report;
+  double seconds = 0;
+  std::size_t bytes = 0;
 };
 
-Up up_of(const Arguments& arguments) {
-  const std::string up = arguments.text("--up", "y");
-  if (up != "y" && up != "z") throw UsageError("--up takes y or z, not '" + up + "'");
-  return up == "y" ? Up::y : Up::z;
-}
+class Derive {
+ public:
+  Derive(Session& session, const Arguments& arguments, const ModelOptions& models)
+      : session_(session),
+        arguments_(arguments),
+        models_(models),
+        keep_going_(arguments.has("--keep-going")),
+        remarks_(session) {}
+  int run();
 
-std::string output_of(const Arguments& arguments) {
-  const auto out = arguments.value("--output");
-  if (!out) throw UsageError("say where the model goes: -o OUT.obj or OUT.glb");
-  for (const char* const ending : {".obj", ".glb", ".gltf"}) {
-    if (out->ends_with(ending)) return *out;
+ private:
+  Totals derive(Level& level);
+  void use(Level& level, Derived& derived);
+  void write_all();
+  void leave_out_failed();
+
+  Session& session_;
+  const Arguments& arguments_;
+  const ModelOptions& models_;
+  const bool keep_going_;
+  Remarks remarks_;
+  FootprintSet set_;
+  std::vector<std::string_view> symbols_;
+  std::vector<Level> levels_;
+  std::vector<const Footprint*> failed_;  ///< of the level that was derived
+};
+
+int Derive::run() {
+  const Program& program = session_.program();
+  std::size_t left_out = 0;
+  set_ = footprints(session_, arguments_.positional()[1], arguments_, left_out);
+  const DeriveOptions options = derive_options(arguments_, program, models_.targets.front().lod);
+  const std::string comment = model_comment(program, set_, options);
+  for (const ModelTarget& target : models_.targets)
+    levels_.emplace_back(program, target, models_, comment);
+  std::optional<OutputFile> report_file;  // a folder that is missing is said before the work
+  if (const auto path = arguments_.value("--report")) report_file.emplace(*path);
+  symbols_ = symbol_names(program);
+  for (Level& level : levels_) {
+    const Totals totals = derive(level);
+    if (totals.interrupted) {
+      session_.say("interrupted: nothing was written");
+      return 130;
+    }
+    if (totals.failed > 0 && !keep_going_) return exit_input;
+    left_out += totals.failed;
+    leave_out_failed();
   }
-  throw UsageError("'" + *out + "' has no ending that is written: .obj, .glb or .gltf");
+  write_all();
+  if (report_file) {
+    std::vector<LevelReport> reports;
+    for (const Level& level : levels_)
+      reports.push_back(
+          {level.target.lod, level.target.path, level.bytes, level.seconds, &level.report});
+    levels_.front().report.write(*report_file, reports);
+  }
+  remarks_.finish(program);
+  if (left_out > 0)
+    session_.say(std::to_string(left_out) +
+                 (left_out == 1 ? " footprint was" : " footprints were") + " left out");
+  return left_out > 0 ? exit_input : exit_done;
 }
 
-std::unique_ptr<SurfaceWriter> writer_of(const Job& job, const std::string& comment) {
-  if (job.out.ends_with(".obj")) return write_obj(job.out, up_of(job.arguments), comment);
-  if (up_of(job.arguments) == Up::z) throw UsageError("--up z is for .obj: glTF is always y up");
-  return write_gltf(job.out, comment);
+Totals Derive::derive(Level& level) {
+  const auto started = std::chrono::steady_clock::now();
+  Progress progress(set_.footprints.size(), session_.quiet());
+  const Totals totals = derive_all(session_.program(), session_.meshes(), set_.footprints,
+                                   derive_options(arguments_, session_.program(), level.target.lod),
+                                   thread_option(arguments_), keep_going_, [&](Derived& derived) {
+                                     progress.step();
+                                     use(level, derived);
+                                   });
+  level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return totals;
 }
 
-/// Nothing that is read is written over, and the report not over the model.
-void refuse_own_input(const Arguments& arguments, const std::string& out) {
-  std::vector<std::pair<std::string, std::string>> targets{{"-o", out}};
-  if (const auto report = arguments.value("--report")) targets.emplace_back("--report", *report);
-  for (const auto& [flag, target] : targets) {
-    for (const std::string& input : arguments.positional()) {
-      std::error_code missing;
-      if (std::filesystem::equivalent(input, target, missing))
-        throw UsageError(flag + " " + target + " would write over what is read from '" + input +
-                         "': give it another name");
+void Derive::use(Level& level, Derived& derived) {
+  Building& building = derived.building;
+  if (&level == &levels_.front()) remarks_.add(building);
+  if (derived.error) {
+    session_.print(*derived.error);
+    failed_.push_back(derived.footprint);
+    return level.report.add_failure(building.id, *derived.error);
+  }
+  level.looks.adopt(building);
+  level.report.add(building);
+  const Program& program = session_.program();
+  level.writer->add({building.id, &building.surface, program.styles[program.main_style].name,
+                     derived.footprint->properties},
+                    symbols_, level.looks.all());
+}
+
+/// What failed at one level of detail is not tried at the next ones.
+void Derive::leave_out_failed() {
+  std::size_t kept = 0, next = 0;
+  for (Footprint& footprint : set_.footprints) {
+    if (next < failed_.size() && failed_[next] == &footprint) {
+      ++next;
+    } else if (Footprint& to = set_.footprints[kept++]; &to != &footprint) {
+      to = std::move(footprint);
     }
   }
-  if (targets.back().first != "-o" && targets.back().second == out)
-    throw UsageError("--report and -o name the same file: '" + out + "'");
+  set_.footprints.resize(kept);
+  failed_.clear();
 }
 
-std::string summary(const Report& report, std::size_t bytes, const std::string& out) {
-  return std::to_string(report.buildings) +
-         (report.buildings == 1 ? " building, " : " buildings, ") + std::to_string(report.shapes) +
-         " shapes, " + std::to_string(report.polygons) + " polygons, " +
-         std::to_string(bytes / 1000) + " kB: " + out;
-}
-
-int derive(Job& job) {
-  const Program& program = job.session.program();
-  const DeriveOptions options = derive_options(job.arguments, program);
-  const bool keep_going = job.arguments.has("--keep-going");
-  std::size_t broken = 0;
-  const FootprintSet set =
-      footprints(job.session, job.arguments.positional()[1], job.arguments, broken);
-  const auto started = std::chrono::steady_clock::now();
-  const auto writer = writer_of(job, model_comment(program, set, options));
-  const std::vector<std::string_view> symbols = symbol_names(program);
-  const std::string_view style = program.styles[program.main_style].name;
-  std::optional<OutputFile> report_file;  // a folder that is missing is said before the work
-  if (const auto path = job.arguments.value("--report")) report_file.emplace(*path);
-  Looks looks(program);
-  Report report(program);
-  Remarks remarks(job.session);
-  const Totals totals = [&] {
-    Progress progress(set.footprints.size(), job.session.quiet());
-    return derive_all(program, job.session.meshes(), set.footprints, options,
-                      thread_option(job.arguments), keep_going, [&](Derived& derived) {
-                        Building& building = derived.building;
-                        remarks.add(building);
-                        progress.step();
-                        if (derived.error) {
-                          job.session.print(*derived.error);
-                          return report.add_failure(building.id, *derived.error);
-                        }
-                        looks.adopt(building);
-                        report.add(building);
-                        writer->add(
-                            {building.id, &building.surface, style, derived.footprint->properties},
-                            symbols, looks.all());
-                      });
-  }();
-  if (totals.interrupted) {
-    job.session.say("interrupted: nothing was written");
-    return 130;
+/// When all are derived: a chain appears whole or not at all, but for a full disk.
+void Derive::write_all() {
+  for (Level& level : levels_) {
+    level.bytes = level.writer->finish(level.looks.all());
+    const Report& report = level.report;
+    session_.say(std::to_string(report.buildings) +
+                 (report.buildings == 1 ? " building, " : " buildings, ") +
+                 std::to_string(report.shapes) + " shapes, " + std::to_string(report.polygons) +
+                 " polygons, " + std::to_string(level.bytes / 1000) + " kB: " + level.target.path +
+                 session_.style_taken(arguments_));
   }
-  if (totals.failed > 0 && !keep_going) return exit_input;
-  const std::size_t bytes = writer->finish(looks.all());
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  if (report_file) report.write(*report_file, seconds.count());
-  job.session.say(summary(report, bytes, job.out) + job.session.style_taken(job.arguments));
-  remarks.finish(program);
-  if (totals.failed + broken > 0)
-    job.session.say(std::to_string(totals.failed + broken) +
-                    (totals.failed + broken == 1 ? " footprint was" : " footprints were") +
-                    " left out");
-  return totals.failed + broken > 0 ? exit_input : exit_done;
 }
 
 }  // namespace
 
 int run_derive(const Arguments& arguments) {
   Session session(arguments);
-  Job job{session, arguments, output_of(arguments)};
-  up_of(arguments);
-  refuse_own_input(arguments, job.out);
+  const ModelOptions models = model_options(arguments);
   return session.guard([&]() -> int {
     if (!session.compile(arguments.positional()[0], compile_options(arguments))) return exit_input;
-    return derive(job);
+    return Derive(session, arguments, models).run();
   });
 }
 

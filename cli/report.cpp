@@ -35,8 +35,28 @@ void Report::add_failure(const std::string& id, const Diagnostic& diagnostic) {
   failures_.emplace_back(id, diagnostic.text);
 }
 
-void Report::write(OutputFile& file, double seconds) const {
-  using nlohmann::ordered_json;
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json to_json(std::span<const LevelReport> levels) {
+  ordered_json all = ordered_json::array();
+  for (const LevelReport& level : levels)
+    all.push_back({{"lod", level.lod},
+                   {"model", level.path},
+                   {"bytes", level.bytes},
+                   {"shapes", level.report->shapes},
+                   {"polygons", level.report->polygons},
+                   {"vertices", level.report->vertices},
+                   {"seconds", level.seconds}});
+  return all;
+}
+
+}  // namespace
+
+void Report::write(OutputFile& file, std::span<const LevelReport> levels) const {
+  double seconds = 0;
+  for (const LevelReport& level : levels) seconds += level.seconds;
   ordered_json json;
   json["buildings"] = buildings;
   json["failed"] = ordered_json::array();
@@ -46,6 +66,7 @@ void Report::write(OutputFile& file, double seconds) const {
   json["polygons"] = polygons;
   json["vertices"] = vertices;
   json["seconds"] = seconds;
+  json["levels"] = to_json(levels);
   json["parts_cut"] = parts_cut;
   json["shapes_without_production"] = unmatched;
   json["roof_fallbacks"] = roofs.fallbacks();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,25 @@
 
 namespace mansard {
 
+class Report;
+
+/// A model that was written.
+struct LevelReport {
+  int lod = 3;
+  std::string path;
+  std::size_t bytes = 0;
+  double seconds = 0;  ///< of deriving and writing
+  const Report* report = nullptr;
+};
+
 class Report {
  public:
   explicit Report(const Program& program)
       : program_(program), terminals_(program.symbols.size()), areas_(program.symbols.size()) {}
   void add(const Building& building);
   void add_failure(const std::string& id, const Diagnostic& diagnostic);
-  void write(OutputFile& file, double seconds) const;
+  /// `levels` are the models that were written, this report's among them.
+  void write(OutputFile& file, std::span<const LevelReport> levels) const;
 
   std::size_t shapes = 0, operations = 0, polygons = 0, vertices = 0, buildings = 0;
   std::size_t parts_cut = 0, unmatched = 0;

@@ -115,12 +115,13 @@ CompileOptions compile_options(const Arguments& arguments) {
   return options;
 }
 
-DeriveOptions derive_options(const Arguments& arguments, const Program& program) {
+DeriveOptions derive_options(const Arguments& arguments, const Program& program,
+                             std::optional<int> lod) {
   DeriveOptions options;
   const uint64_t carried = program.styles[program.main_style].linked->seed.value_or(0);
   options.seed = static_cast<uint64_t>(
       arguments.number("--seed", static_cast<long long>(carried), 0, 1'000'000'000'000'000));
-  options.lod = static_cast<int>(arguments.number("--lod", 3, 1, 3));
+  options.lod = lod ? *lod : static_cast<int>(arguments.number("--lod", 3, 1, 3));
   options.max_depth = static_cast<uint32_t>(arguments.number("--max-depth", 1000, 1, 60000));
   options.max_shapes =
       static_cast<std::size_t>(arguments.number("--max-shapes", 5'000'000, 1, 1'000'000'000));

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -79,8 +80,10 @@ class Session {
 /// beside the program when it is installed, else in the sources it was built from.
 std::vector<std::string> style_path(const Arguments& arguments);
 CompileOptions compile_options(const Arguments& arguments);
-/// Without --seed it is the one that the style to be derived carries, else 0.
-DeriveOptions derive_options(const Arguments& arguments, const Program& program);
+/// Without --seed it is the one that the style to be derived carries, else 0. `lod` stands for
+/// --lod, for who reads that otherwise.
+DeriveOptions derive_options(const Arguments& arguments, const Program& program,
+                             std::optional<int> lod = {});
 /// --threads; 0: all.
 int thread_option(const Arguments& arguments);
 FootprintOptions footprint_options(const Arguments& arguments);

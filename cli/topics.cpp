@@ -204,7 +204,8 @@ out under --keep-going.)"},
 id, a group g for each symbol, polygons as they are, with normals and texture coordinates. Metres, y up
 (--up z: z up); the first lines say which style, seed and origin. It appears whole or not at all.
 
---lod 1 keeps the masses, 2 leaves out relief, 3 is everything. --report FILE.json has the counts and
+--lod 1 keeps the masses, 2 leaves out relief, 3 is everything, all writes the three. glTF, PLY and STL: see
+mansard help models. --report FILE.json has the counts and
 areas of every terminal and the sums of report(). The same inputs give the same bytes on any number of
 threads. Exit status: 0 done, 1 something in the input is wrong, 2 wrong usage, 3 an internal failure.)"},
     Topic{
@@ -237,14 +238,28 @@ Derived on the same footprint, with the same --attr and --lod, it gives the same
 say here what a style says: set() in a rule and a footprint's property are stronger. Files in DIR are written
 over only when they begin with this first line.)"},
     Topic{
-        "models", "What derive writes",
+        "models", "The formats of models, instances, levels of detail",
         R"(  -o town.obj     Wavefront OBJ with its .mtl: an object a building, a group a symbol, polygons kept
-  -o town.glb     glTF 2.0 in one file, textures in it
+  -o town.glb     glTF 2.0 in one file, textures in it; at most 4 GB
   -o town.gltf    glTF 2.0 as text, with town.bin and textures beside it
+  -o town.ply     PLY, binary, by Assimp: triangles with normals and nothing else, no names and no looks
+  -o town.stl     STL, binary, by Assimp: triangles and nothing else; both at most 10 million, held in memory
 
 In glTF every building is a node with its id, style and the footprint's attributes as extras; below it is a
-node for each symbol, and a node for each element or inserted mesh, which share one mesh. Metres, y up, colours
-linear. Textures are PNG or JPEG. A .glb holds at most 4 GB.)"},
+node for each symbol, and a node for each element or inserted mesh, which share one mesh. So do solids of
+eight faces and more that come twice, such as columns and balls. Metres, y up, colours linear. Textures
+are PNG or JPEG. --up z turns OBJ, PLY and STL.
+
+  --instancing gpu    EXT_mesh_gpu_instancing: a node for all that is alike in a symbol of a building; boxes,
+                      such as sills, too. What a client picks is the building (the parent's parent's extras), the
+                      symbol (extras) and the instance's number. three.js and Cesium read it, Blender does not.
+  --instancing none   every copy by itself
+  --compress draco    KHR_draco_mesh_compression: places to a tenth of a millimetre, texture coordinates to
+                      1/4096 of a picture. Blender, three.js, Cesium and Unreal read it.
+
+--lod all writes town_lod1.glb, town_lod2.glb and town_lod3.glb, which all programs can read, each level by
+itself; --report says how many faces and vertices each has. One file of all three (MSFT_lod) is read by
+hardly any program.)"},
     Topic{
         "files", "Where imports, meshes and textures are looked for",
         R"(  import "parts.style"             beside the importing file, in --style-path, in the library

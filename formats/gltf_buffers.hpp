@@ -6,7 +6,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "formats/gltf_placed.hpp"
 #include "formats/gltf_primitive.hpp"
 #include "formats/spool.hpp"
 
@@ -23,6 +26,7 @@ class GltfList {
     return count_++;
   }
   bool empty() const { return count_ == 0; }
+  uint64_t size() const { return count_; }
   uint64_t bytes() const { return spool_.bytes(); }
   void copy_to(OutputFile& out) { spool_.copy_to(out); }
 
@@ -33,29 +37,39 @@ class GltfList {
 
 class GltfBuffers {
  public:
-  explicit GltfBuffers(const std::string& model);
+  GltfBuffers(const std::string& model, bool draco);
 
-  /// Takes the primitive's vertices and indices. Returns its members "attributes" and "indices".
+  /// Takes the primitive's vertices and indices. Returns its members "attributes", "indices" and,
+  /// for what Draco compressed, "extensions".
   std::string add(const GltfPrimitive& primitive);
-  /// How many views those of vertices and indices are, when nothing more comes.
-  std::size_t vertex_views() const;
-  /// The document's bufferViews, one after the other, those of pictures last; empty for none.
-  std::string views(std::span<const std::pair<uint64_t, uint64_t>> pictures) const;
+  /// Takes places of instances. Returns the member "attributes" of EXT_mesh_gpu_instancing.
+  std::string add(std::span<const GltfPlace> instances);
+  /// How many views there are before those of pictures, when nothing more comes.
+  std::size_t view_count() const { return draco_ ? views_.size() : order_.size(); }
+  /// The document's bufferViews, those of pictures last. Once, when nothing more comes.
+  GltfList& finish_views(std::span<const std::pair<uint64_t, uint64_t>> pictures);
 
   uint64_t bytes() const;
   void copy_to(OutputFile& out);
-  /// Pictures, each from a multiple of four, behind all vertices.
+  /// Pictures, each from a multiple of four, behind all else.
   Spool& pictures() { return pictures_; }
   GltfList& accessors() { return accessors_; }
 
  private:
-  uint64_t add_vectors(std::size_t view, std::span<const float> values, uint32_t width,
+  enum Kind : uint8_t { points, normals, indices, uvs, instances };
+  std::size_t view_of(Kind kind);
+  void add_view(uint64_t offset, uint64_t bytes, std::string_view rest);
+  uint64_t add_vectors(Kind kind, std::span<const float> values, uint32_t width,
                        const GltfPrimitive* bounded);
   uint64_t add_indices(const GltfPrimitive& primitive);
+  std::string add_draco(const GltfPrimitive& primitive);
 
-  std::array<Spool, 4> vertices_;  ///< by view
+  bool draco_;
+  std::array<Spool, 5> kinds_;  ///< of primitives that are not compressed, and of instances
+  std::vector<Kind> order_;     ///< of the kinds' views: as they first come
+  Spool compressed_;            ///< a view each primitive
   Spool pictures_;
-  GltfList accessors_;
+  GltfList views_, accessors_;
 };
 
 }  // namespace mansard

@@ -42,27 +42,36 @@ void append(std::string& numbers, uint64_t number) {
   numbers += std::to_string(number);
 }
 
+/// Where a shared mesh stands.
+struct Places {
+  uint64_t mesh = 0;
+  std::vector<GltfPlace> all;
+};
+
 class GltfWriter final : public SurfaceWriter {
  public:
-  GltfWriter(const std::string& path, const std::string& comment);
+  GltfWriter(const std::string& path, const std::string& comment, const GltfOptions& options);
   void add(const NamedSurface& building, std::span<const std::string_view> symbols,
            std::span<const Look> looks) override;
   std::size_t finish(std::span<const Look> looks) override;
 
  private:
-  void find_placed();
+  void find_symbols();
   void add_polygons(uint32_t begin, uint32_t end);
   std::string placed_nodes();
-  uint64_t shared_mesh(const Surface::Placed& placed);
+  std::string placed_node(std::span<const GltfPlace> places, uint64_t mesh);
+  uint64_t shared_mesh(std::size_t number);
   void begin_primitive(uint32_t look, bool uvs);
   void end_symbol();
   uint64_t add_mesh(const std::string& primitives);
   void end_primitive();
-  void write_document(const std::string& head, uint64_t bytes);
+  void write_document(const std::string& head, GltfList& views, uint64_t bytes);
   void write_header(uint64_t document, uint64_t bytes);
 
   std::string path_, comment_;
-  bool binary_;  ///< .glb
+  GltfOptions options_;
+  bool binary_;             ///< .glb
+  bool instanced_ = false;  ///< something was
   OutputFile out_;
   GltfBuffers buffers_;
   GltfList nodes_, meshes_, roots_;
@@ -75,19 +84,23 @@ class GltfWriter final : public SurfaceWriter {
   std::span<const Look> all_looks_;
   Vec3 origin_;
   std::vector<uint32_t> placed_symbols_;  ///< of each placed mesh; none: it is not shared
+  std::vector<Places> places_;            ///< of a symbol
   uint32_t symbol_ = none, look_ = 0;
   std::string symbol_name_, primitives_, children_;
 };
 
-GltfWriter::GltfWriter(const std::string& path, const std::string& comment)
+GltfWriter::GltfWriter(const std::string& path, const std::string& comment,
+                       const GltfOptions& options)
     : path_(path),
       comment_(comment),
+      options_(options),
       binary_(path.ends_with(".glb")),
       out_(path),
-      buffers_(path),
+      buffers_(path, options.draco),
       nodes_(path),
       meshes_(path),
-      roots_(path) {}
+      roots_(path),
+      shared_(options.instancing) {}
 
 /// The middle of its base, to the millimetre: vertices are floats, which are precise near 0.
 Vec3 origin_of(const Surface& surface) {
@@ -112,7 +125,9 @@ void GltfWriter::add(const NamedSurface& building, std::span<const std::string_v
   origin_ = origin_of(*surface_);
   const bool uvs = surface_->uvs.size() == surface_->points.size();
   children_.clear();
-  find_placed();
+  symbol_ = none;
+  shared_.find(*surface_);
+  find_symbols();
   groups_.sort(surface_->runs);
   groups_.for_each(
       [&](uint32_t symbol) {
@@ -137,12 +152,12 @@ void GltfWriter::add(const NamedSurface& building, std::span<const std::string_v
   roots_.add(std::to_string(nodes_.add(text)));
 }
 
-void GltfWriter::find_placed() {
+void GltfWriter::find_symbols() {
   placed_symbols_.clear();
   auto run = surface_->runs.begin();
   for (const Surface::Placed& placed : surface_->placed) {
     while (run->end <= placed.begin) ++run;
-    placed_symbols_.push_back(is_shared(placed) ? run->symbol : none);
+    placed_symbols_.push_back(shared_.is_shared(placed_symbols_.size()) ? run->symbol : none);
   }
 }
 
@@ -163,6 +178,7 @@ void GltfWriter::add_polygons(uint32_t begin, uint32_t end) {
 }
 
 void GltfWriter::end_symbol() {
+  if (symbol_ == none) return;
   end_primitive();
   const std::string own = std::exchange(primitives_, {});
   const std::string placed = placed_nodes();
@@ -188,28 +204,46 @@ void append(std::string& text, std::span<const double> values) {
 
 /// Numbers of the nodes that place the symbol's shared meshes.
 std::string GltfWriter::placed_nodes() {
-  std::string numbers;
+  places_.clear();
   for (std::size_t i = 0; i < placed_symbols_.size(); ++i) {
     if (placed_symbols_[i] != symbol_) continue;
-    const Surface::Placed& placed = surface_->placed[i];
-    const GltfPlace place = place_of(placed, origin_);
-    const Vec3 t = place.translation, s = place.scale;
-    std::string node = "{\"name\":" + symbol_name_ +
-                       ",\"mesh\":" + std::to_string(shared_mesh(placed)) + ",\"translation\":[";
-    append(node, std::array{t.x, t.y, t.z});
-    node += ",\"rotation\":[";
-    append(node, place.rotation);
-    node += ",\"scale\":[";
-    append(node, std::array{s.x, s.y, s.z});
-    append(numbers, nodes_.add(node + ",\"extras\":{\"symbol\":" + symbol_name_ + "}}"));
+    const uint64_t mesh = shared_mesh(i);
+    const GltfPlace place = place_of(surface_->placed[i], origin_);
+    const auto known = options_.instancing == Instancing::gpu
+                           ? std::ranges::find(places_, mesh, &Places::mesh)
+                           : places_.end();
+    if (known == places_.end()) {
+      places_.push_back({mesh, {place}});
+    } else {
+      known->all.push_back(place);
+    }
   }
+  std::string numbers;
+  for (const auto& [mesh, places] : places_) append(numbers, nodes_.add(placed_node(places, mesh)));
   return numbers;
 }
 
+std::string GltfWriter::placed_node(std::span<const GltfPlace> places, uint64_t mesh) {
+  std::string node = "{\"name\":" + symbol_name_ + ",\"mesh\":" + std::to_string(mesh);
+  if (places.size() > 1) {
+    instanced_ = true;
+    node += ",\"extensions\":{\"EXT_mesh_gpu_instancing\":{" + buffers_.add(places) + "}}";
+  } else {
+    const auto& [t, rotation, s] = places.front();
+    node += ",\"translation\":[";
+    append(node, std::array{t.x, t.y, t.z});
+    node += ",\"rotation\":[";
+    append(node, rotation);
+    node += ",\"scale\":[";
+    append(node, std::array{s.x, s.y, s.z});
+  }
+  return node + ",\"extras\":{\"symbol\":" + symbol_name_ + "}}";
+}
+
 /// Written when it first comes.
-uint64_t GltfWriter::shared_mesh(const Surface::Placed& placed) {
-  if (const auto known = shared_.find(*surface_, placed)) return *known;
-  const Surface own = own_frame(*surface_, placed);
+uint64_t GltfWriter::shared_mesh(std::size_t number) {
+  if (const auto known = shared_.mesh(number)) return *known;
+  const Surface own = own_frame(*surface_, surface_->placed[number]);
   uint32_t polygon = 0;
   for (const Surface::Run& run : own.runs) {
     begin_primitive(run.material, true);
@@ -217,7 +251,7 @@ uint64_t GltfWriter::shared_mesh(const Surface::Placed& placed) {
   }
   end_primitive();
   const uint64_t mesh = add_mesh(std::exchange(primitives_, {}));
-  shared_.set(mesh);
+  shared_.set_mesh(number, mesh);
   return mesh;
 }
 
@@ -252,9 +286,16 @@ Json asset(const std::string& comment) {
 
 std::size_t GltfWriter::finish(std::span<const Look> looks) {
   Json document{{"asset", asset(comment_)}};
-  const std::string materials = looks_.members(
-      looks, path_, binary_ ? &buffers_.pictures() : nullptr, buffers_.vertex_views());
-  const std::string views = buffers_.views(looks_.views());
+  for (const auto& [used, name] :
+       {std::pair{instanced_, "EXT_mesh_gpu_instancing"},
+        {options_.draco && !meshes_.empty(), "KHR_draco_mesh_compression"}}) {
+    if (!used) continue;  // without them nothing is where it belongs
+    document["extensionsUsed"].push_back(name);
+    document["extensionsRequired"].push_back(name);
+  }
+  const std::string materials =
+      looks_.members(looks, path_, binary_ ? &buffers_.pictures() : nullptr, buffers_.view_count());
+  GltfList& views = buffers_.finish_views(looks_.views());
   const uint64_t bytes = buffers_.bytes();
   const std::string bin = safe_name(fs::path(path_).stem().string()) + ".bin";
   if (bytes > 0) {
@@ -269,9 +310,7 @@ std::size_t GltfWriter::finish(std::span<const Look> looks) {
     beside = out.bytes();
   }
   const std::string head = text_of(document);
-  write_document(head.substr(0, head.size() - 1) + materials +
-                     (views.empty() ? "" : ",\"bufferViews\":[" + views + "]"),
-                 bytes);
+  write_document(head.substr(0, head.size() - 1) + materials, views, bytes);
   out_.commit();
   return out_.bytes() + beside;
 }
@@ -285,13 +324,14 @@ void put_integer(OutputFile& out, uint32_t value) {
 
 /// The document, from its open head on, with the lists in it; in a .glb between its header and the
 /// binary chunk.
-void GltfWriter::write_document(const std::string& head, uint64_t bytes) {
+void GltfWriter::write_document(const std::string& head, GltfList& views, uint64_t bytes) {
   const std::string scene =
       roots_.empty() ? ",\"scene\":0,\"scenes\":[{}]" : ",\"scene\":0,\"scenes\":[{\"nodes\":[";
-  const std::array<std::pair<std::string_view, GltfList*>, 3> lists{
+  const std::array<std::pair<std::string_view, GltfList*>, 4> lists{
       {{"]}],\"nodes\":[", &nodes_},
        {"],\"meshes\":[", &meshes_},
-       {"],\"accessors\":[", &buffers_.accessors()}}};
+       {"],\"accessors\":[", &buffers_.accessors()},
+       {"],\"bufferViews\":[", &views}}};
   uint64_t length = head.size() + scene.size() + 1;
   if (!roots_.empty()) {
     length += roots_.bytes() + 1;
@@ -335,8 +375,9 @@ void GltfWriter::write_header(uint64_t document, uint64_t bytes) {
 
 }  // namespace
 
-std::unique_ptr<SurfaceWriter> write_gltf(const std::string& path, const std::string& comment) {
-  return std::make_unique<GltfWriter>(path, comment);
+std::unique_ptr<SurfaceWriter> write_gltf(const std::string& path, const std::string& comment,
+                                          const GltfOptions& options) {
+  return std::make_unique<GltfWriter>(path, comment, options);
 }
 
 }  // namespace mansard

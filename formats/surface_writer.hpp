@@ -1,6 +1,7 @@
 // Finished buildings in, one model file out, building by building.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,6 +29,15 @@ struct NamedSurface {
 
 enum class Up : uint8_t { y, z };
 
+/// How glTF writes what stands in many places: as nodes that share a mesh, as instances of
+/// EXT_mesh_gpu_instancing, or like everything else.
+enum class Instancing : uint8_t { nodes, gpu, copies };
+
+struct GltfOptions {
+  Instancing instancing = Instancing::nodes;
+  bool draco = false;  ///< KHR_draco_mesh_compression, to a tenth of a millimetre
+};
+
 /// Writes beside `path` and renames at finish(); a writer that is destroyed before leaves nothing
 /// behind and what was there intact. Throws Failure for a full disk or a folder that is not there.
 class SurfaceWriter {
@@ -48,6 +58,13 @@ std::unique_ptr<SurfaceWriter> write_obj(const std::string& path, Up up,
 /// glTF 2.0: .glb in one file with its textures, .gltf with a .bin and textures beside it. A node a
 /// building, with its id, style and properties as extras; below it a node a symbol, whose mesh has
 /// a primitive a look. Metres, y up; looks that are not used are left out.
-std::unique_ptr<SurfaceWriter> write_gltf(const std::string& path, const std::string& comment);
+std::unique_ptr<SurfaceWriter> write_gltf(const std::string& path, const std::string& comment,
+                                          const GltfOptions& options = {});
+
+/// Binary PLY or STL by the path's ending: nothing but triangles, with normals; no names, looks or
+/// textures. The whole model is in memory until finish(); more than `most` triangles, or none at
+/// all, are a Failure.
+std::unique_ptr<SurfaceWriter> write_triangles(const std::string& path, Up up,
+                                               std::size_t most = 10'000'000);
 
 }  // namespace mansard

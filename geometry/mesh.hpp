@@ -69,8 +69,8 @@ struct Surface {
     uint32_t material = 0;  ///< the caller's number of the material
     uint32_t end = 0;       ///< one past its last polygon
   };
-  /// A mesh that was drawn as a whole, so that formats can share it. Its point p is drawn at
-  /// origin + x (scale.x p.x) + y (scale.y p.y) + z (scale.z p.z).
+  /// A terminal that formats can share with its like; one that rules made has no mesh, but polygons
+  /// in a frame. Point p is drawn at origin + x (scale.x p.x) + y (scale.y p.y) + z (scale.z p.z).
   struct Placed {
     const Mesh* mesh = nullptr;  ///< the same for all that are alike; owned by who read it
     Vec3 origin, x, y, z;        ///< orthonormal axes, left-handed when it is mirrored

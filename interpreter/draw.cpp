@@ -13,6 +13,15 @@ constexpr double thin = 1e-9;  ///< metres; faces thinner than this are no faces
 
 UvFrame own_frame(const Scope& scope) { return {scope.origin, scope.x, scope.y, scope.z}; }
 
+/// What was drawn since `first` may have its like elsewhere: columns, sills, balusters. A texture
+/// runs on over walls and so lies differently on each.
+void remember_solid(Surface& surface, const Scope& s, const Material& look, uint32_t first) {
+  constexpr uint32_t fewest = 4;  // polygons
+  const auto end = static_cast<uint32_t>(surface.polygons());
+  if (end - first < fewest || !look.texture.empty()) return;
+  surface.placed.push_back({nullptr, s.origin, s.x, s.y, s.z, s.size, first, end});
+}
+
 }  // namespace
 
 const Material& Machine::material(uint32_t number) const {
@@ -56,6 +65,7 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
   const uint32_t elements = program.styles[shape.style].elements[symbol];
   if (elements != none && rules_of(shape) == none && draw_element(shape, elements)) return;
   const uint32_t look = look_of(shape, symbol);
+  const auto first = static_cast<uint32_t>(building->surface.polygons());
   switch (shape.form) {
     case Form::nothing:
     case Form::line:
@@ -68,12 +78,16 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
       break;
     case Form::box:
       draw_box(shape, look);
+      remember_solid(building->surface, shape.scope, material(look), first);
       break;
     case Form::prism:
       draw_prism(shape, look);
+      remember_solid(building->surface, shape.scope, material(look), first);
       break;
     case Form::mesh:
       draw_mesh(shape, look, mesh_of(shape), own_looks(mesh_of(shape).mesh()));
+      if (!mesh_of(shape).borrowed && mesh_of(shape).own.materials.empty())
+        remember_solid(building->surface, shape.scope, material(look), first);
       break;
   }
   close_run(symbol, look);

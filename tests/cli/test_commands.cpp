@@ -43,7 +43,7 @@ TEST_CASE("exit statuses: 0 done, 1 wrong input, 2 wrong usage") {
   CHECK(run({"check", box, "--what"}).status == 2);
   CHECK(run({"derive", box}).status == 2);
   CHECK(run({"derive", box, "rect:10x8"}).status == 2);  // no -o
-  CHECK(run({"derive", box, "rect:10x8", "-o", folder / "model.stl"}).status == 2);
+  CHECK(run({"derive", box, "rect:10x8", "-o", folder / "model.fbx"}).status == 2);
   CHECK(run({"derive", box, "rect:10x8", "-o", folder / "model.obj", "--up", "x"}).status == 2);
   CHECK(run({"derive", bad, "rect:10x8", "-o", folder / "model.obj"}).status == 1);
   CHECK(run({"tree", box, "rect:10by8"}).status == 1);

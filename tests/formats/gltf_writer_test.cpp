@@ -9,117 +9,19 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
 #include "formats/color.hpp"
 #include "formats/surface_writer.hpp"
+#include "glb.hpp"
 #include "grammar/diagnostic.hpp"
 #include "support.hpp"
 
 using namespace mansard;
-using mansard::test::content;
-using mansard::test::Folder;
-using nlohmann::json;
+using namespace mansard::test;
 
 namespace {
-
-const std::vector<std::string_view> symbols{"WALL", "WINDOW", "a \"roof\""};
-
-void add_polygon(Surface& s, const std::vector<Vec3>& loop, uint32_t symbol, uint32_t look) {
-  for (const Vec3 p : loop) {
-    s.points.push_back(p);
-    s.uvs.push_back({p.x, p.y});
-  }
-  s.ends.push_back(static_cast<uint32_t>(s.points.size()));
-  s.normals.push_back(normalized(newell(loop)));
-  s.runs.push_back({symbol, look, static_cast<uint32_t>(s.ends.size())});
-}
-
-/// Polygons of 3 to 8 corners on random planes, every third of them with a notch.
-Surface random_surface(std::mt19937& random, int polygons) {
-  std::uniform_real_distribution<double> at(-500, 500), radius(0.1, 20);
-  Surface s;
-  for (int i = 0; i < polygons; ++i) {
-    const Vec3 center{at(random), at(random), at(random)};
-    const Vec3 u = normalized(Vec3{at(random), at(random), at(random)});
-    const Vec3 v = normalized(cross(u, Vec3{at(random), at(random), at(random)}));
-    const int corners = 3 + static_cast<int>(random() % 6);
-    const double r = radius(random);
-    std::vector<Vec3> loop;
-    for (int c = 0; c < corners; ++c) {
-      const double a = 6.283185307179586 * c / corners;
-      const double out = corners > 4 && i % 3 == 0 && c == 1 ? 0.2 * r : r;
-      loop.push_back(center + u * (out * std::cos(a)) + v * (out * std::sin(a)));
-    }
-    add_polygon(s, loop, random() % 3, random() % 2);
-  }
-  return s;
-}
-
-struct Glb {
-  json document;
-  std::string binary;
-};
-
-uint32_t number_at(const std::string& bytes, std::size_t at) {
-  uint32_t value = 0;
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
-
-/// The chunks of a .glb, whose header must be right.
-Glb read_glb(const std::string& path) {
-  const std::string file = content(path);
-  REQUIRE(file.size() >= 20);
-  CHECK(file.starts_with("glTF"));
-  CHECK(number_at(file, 4) == 2);
-  CHECK(number_at(file, 8) == file.size());
-  const uint32_t length = number_at(file, 12);
-  CHECK(length % 4 == 0);
-  CHECK(file.substr(16, 4) == "JSON");
-  Glb glb{json::parse(file.substr(20, length)), {}};
-  if (file.size() == 20 + length) return glb;
-  CHECK(number_at(file, 20 + length) % 4 == 0);
-  CHECK(file.substr(24 + length, 4) == std::string("BIN\0", 4));
-  glb.binary = file.substr(28 + length);
-  CHECK(glb.binary.size() == number_at(file, 20 + length));
-  return glb;
-}
-
-/// Items of an accessor, all inside its view and the view inside the buffer.
-template <class T, std::size_t N>
-std::vector<std::array<T, N>> items(const Glb& glb, std::size_t number) {
-  const json& accessor = glb.document["accessors"][number];
-  const json& view = glb.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
-  const std::size_t stride = view.value("byteStride", sizeof(T) * N);
-  const std::size_t offset = accessor["byteOffset"], count = accessor["count"];
-  REQUIRE(offset % sizeof(T) == 0);
-  REQUIRE(offset + stride * count <= view["byteLength"].get<std::size_t>());
-  const std::size_t start = view["byteOffset"].get<std::size_t>() + offset;
-  REQUIRE(start + stride * count <= glb.binary.size());
-  std::vector<std::array<T, N>> all(count);
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(all[i].data(), glb.binary.data() + start + i * stride, sizeof(T) * N);
-  return all;
-}
-
-std::vector<uint32_t> indices_of(const Glb& glb, std::size_t accessor) {
-  std::vector<uint32_t> all;
-  if (glb.document["accessors"][accessor]["componentType"] == 5123) {
-    for (const auto i : items<uint16_t, 1>(glb, accessor)) all.push_back(i[0]);
-  } else {
-    for (const auto i : items<uint32_t, 1>(glb, accessor)) all.push_back(i[0]);
-  }
-  return all;
-}
-
-double area_of(const Surface& s) {
-  double sum = 0;
-  for (std::size_t i = 0; i < s.polygons(); ++i) sum += length(newell(s.loop(i))) / 2;
-  return sum;
-}
 
 /// The area of a primitive's triangles, which must all face as their normals say.
 double checked_area(const Glb& glb, const json& primitive) {
@@ -147,10 +49,6 @@ double checked_area(const Glb& glb, const json& primitive) {
   }
   return area;
 }
-
-const std::vector<Look> looks{{"brick", {0.5, 0.25, 0.1}, 1, ""},
-                              {"glass", {0.1, 0.2, 0.3}, 0.5, ""},
-                              {"unused", {1, 0, 0}, 1, ""}};
 
 std::string failure_of(auto action) {
   try {
@@ -325,76 +223,6 @@ TEST_CASE("a model of nothing is a model") {
   CHECK_FALSE(glb.document.contains("nodes"));
   CHECK_FALSE(glb.document.contains("buffers"));
 }
-
-namespace {
-
-/// A stool, so that no turn of it looks like another: a box with two legs, 18 quadrilaterals.
-Mesh stool() {
-  Mesh mesh;
-  const auto box = [&](Vec3 low, Vec3 high) {
-    const auto first = static_cast<uint32_t>(mesh.points.size());
-    for (int i = 0; i < 8; ++i)
-      mesh.points.push_back(
-          {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-    for (const std::array<uint32_t, 4>& face : std::array<std::array<uint32_t, 4>, 6>{
-             {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}})
-      mesh.add_face(std::array{first + face[0], first + face[1], first + face[2], first + face[3]});
-  };
-  box({0, 1, 0}, {2, 1.2, 1});
-  box({0, 0, 0}, {0.2, 1, 1});
-  box({1.8, 0, 0.5}, {2, 1, 1});
-  return mesh;
-}
-
-/// As the derivation draws it: loops of a mirrored one turned round.
-void place(Surface& s, const Mesh& mesh, const Surface::Placed& at, uint32_t symbol) {
-  Surface::Placed placed = at;
-  placed.mesh = &mesh;
-  placed.begin = static_cast<uint32_t>(s.polygons());
-  for (const Mesh::Face& face : mesh.faces) {
-    std::vector<Vec3> loop;
-    for (const uint32_t corner : mesh.loop(face)) {
-      const Vec3 p = mesh.points[corner];
-      loop.push_back(at.origin + at.x * (at.scale.x * p.x) + at.y * (at.scale.y * p.y) +
-                     at.z * (at.scale.z * p.z));
-    }
-    if (dot(cross(at.x, at.y), at.z) < 0) std::ranges::reverse(loop);
-    add_polygon(s, loop, symbol, placed.begin % 2);
-    s.runs.back().material = face.begin < 24 ? 0 : 1;
-  }
-  placed.end = static_cast<uint32_t>(s.polygons());
-  s.placed.push_back(placed);
-}
-
-/// Area and sum over triangles of area times centre and normal, which tell turned ones apart.
-struct Moments {
-  double area = 0;
-  Vec3 centre, flux;
-};
-
-Moments moments_of(const std::string& path) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path, aiProcess_PreTransformVertices);
-  REQUIRE_MESSAGE(scene, importer.GetErrorString());
-  Moments m;
-  for (unsigned k = 0; k < scene->mNumMeshes; ++k) {
-    const aiMesh& mesh = *scene->mMeshes[k];
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      std::array<Vec3, 3> p;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const aiVector3D v = mesh.mVertices[mesh.mFaces[f].mIndices[i]];
-        p[i] = {v.x, v.y, v.z};
-      }
-      const Vec3 twice = cross(p[1] - p[0], p[2] - p[0]), middle = (p[0] + p[1] + p[2]) * (1.0 / 3);
-      m.area += length(twice) / 2;
-      m.centre = m.centre + middle * (length(twice) / 2);
-      m.flux = m.flux + Vec3{twice.x * middle.x, twice.y * middle.y, twice.z * middle.z};
-    }
-  }
-  return m;
-}
-
-}  // namespace
 
 TEST_CASE("meshes that stand in many places are written once and stand where they were drawn") {
   bool mirrored = false;
