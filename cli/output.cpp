@@ -9,13 +9,15 @@
 namespace mansard {
 namespace {
 
-Look look_of(const Material& m) { return {m.name, m.color, m.opacity, m.texture}; }
+Look look_of(const Material& m) { return {m.name, m.color, m.opacity, m.texture, m.finish}; }
 
 std::string key_of(const Material& m) {
-  char text[160];
-  std::snprintf(text, sizeof text, "|%.6f|%.6f|%.6f|%.6f|", m.color.x, m.color.y, m.color.z,
-                m.opacity);
-  return m.name + text + m.texture;
+  const Finish& f = m.finish;
+  char text[240];
+  std::snprintf(text, sizeof text, "|%.6f|%.6f|%.6f|%.6f|%.6f|%.6f|%.6f|", m.color.x, m.color.y,
+                m.color.z, m.opacity, f.roughness, f.metallic, f.relief);
+  return m.name + text + m.texture + "|" + f.roughness_map + "|" + f.metallic_map + "|" +
+         f.normal_map;
 }
 
 }  // namespace
@@ -77,7 +79,8 @@ bool is_glass(std::string_view name, double opacity) {
 std::vector<Paint> Looks::paints() const {
   std::vector<Paint> paints;
   for (const Look& l : looks_)
-    paints.push_back({linear(l.color), is_glass(l.name, l.opacity), l.texture});
+    paints.push_back(
+        {linear(l.color), is_glass(l.name, l.opacity), l.texture, l.finish, linear(l.color)});
   return paints;
 }
 

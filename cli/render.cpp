@@ -19,7 +19,7 @@ void add_model(const std::string& path, Scene& scene) {
     throw Failure(std::move(d));
   }
   for (const Mesh::Material& m : mesh->materials)
-    scene.paints.push_back({m.color, is_glass(m.name, m.opacity), m.texture});
+    scene.paints.push_back({m.color, is_glass(m.name, m.opacity), m.texture, {}, {1, 1, 1}});
   if (scene.paints.empty()) scene.paints.push_back({});
   Surface surface;
   for (const Mesh::Face& face : mesh->faces) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "formats/meshes.hpp"
+#include "formats/pictures.hpp"
 #include "formats/streets.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/properties.hpp"
@@ -45,6 +46,13 @@ bool DiskMeshes::has_picture(const std::string& path) {
   const auto [it, fresh] = pictures_.try_emplace(path);
   std::error_code missing;
   if (fresh) it->second = std::filesystem::is_regular_file(path, missing);
+  return it->second;
+}
+
+std::string DiskMeshes::picture_problem(const std::string& path) {
+  const std::scoped_lock lock(mutex_);
+  const auto [it, fresh] = picture_problems_.try_emplace(path);
+  if (fresh) it->second = mansard::picture_problem(path);
   return it->second;
 }
 

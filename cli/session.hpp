@@ -25,6 +25,7 @@ class DiskMeshes final : public MeshSource {
   void keep_within(const Library& library);
   const Mesh* mesh(const std::string& path, std::string& problem) override;
   bool has_picture(const std::string& path) override;
+  std::string picture_problem(const std::string& path) override;
 
  private:
   struct Entry {
@@ -36,6 +37,7 @@ class DiskMeshes final : public MeshSource {
   /// By the folders that the reading was bound to, then by path.
   std::map<std::vector<std::string>, std::unordered_map<std::string, Entry>> known_;
   std::unordered_map<std::string, bool> pictures_;
+  std::unordered_map<std::string, std::string> picture_problems_;
 };
 
 class Session {

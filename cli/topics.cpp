@@ -165,12 +165,22 @@ it wait for a later one. mansard tree FILE.style FOOTPRINT --rounds shows the li
           R"(  Elements  { WINDOW : "near.obj" "far.obj" : 0.7   "other.obj" : 0.3
               DOOR + "door3.obj" : 0.1   remove LEDGE }
   Materials { WALL : color("tan") : 0.6  texture("brick.png", 2, 1) : 0.4  per "building"
-              GLASS : color("#31434d") opacity(0.4) }
+              GLASS : color("#31434d") opacity(0.4) roughness(0.05) }
 
 A weight or a bar ends an alternative; : sets, + adds, - takes away. An element's meshes are its levels of
 detail, nearest first; a flat scope keeps the mesh's own depth, and a face that is no rectangle cuts it off at
 its outline. insert(file, "fit" | "keep" | "keep_ratio") does so in a rule. Looks are drawn per "shape", "building" or
 the nearest shape above of a symbol. See mansard help files for where meshes are looked for.
+
+  color("tan")  opacity(0.4)  roughness(0.3)  metallic(1)      numbers from 0 to 1; matt, no metal by default
+  texture("brick.png", 2, 1)  metres(2, 1)                     one repeat covers 2 by 1 metres
+  normals("brick_normal.png")  roughness("brick_rough.png")    repeat with it; green of a normal is up
+
+A color() behind a texture() tints it, one before it stands in where the picture is missing. In rules,
+material(BRICK) gives a look of Materials to all that is derived from the shape. Pictures run on over all that a
+wall is split into; uv(1, 1) shows one once on the shape, uv(turn = 90) lays it across. The library has brick,
+ashlar, slate, tiles, render, timber and glass in textures/.
+
 Pictures show looks in sunlight: lighter than written where it falls, darker in the shade. A model has them
 as written.)"},
     Topic{"attributes", "What an expression can read of a shape",

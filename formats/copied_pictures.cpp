@@ -55,13 +55,26 @@ CopiedPictures::CopiedPictures(const std::string& model)
 const std::string& CopiedPictures::name_of(const std::string& path) {
   const auto [entry, fresh] = names_.try_emplace(path);
   if (!fresh) return entry->second;
-  const fs::path name = safe_name(fs::path(path).filename().string());
+  entry->second = free_name(fs::path(path).filename().string());
+  copy_picture(path, folder_ / entry->second);
+  return entry->second;
+}
+
+std::string CopiedPictures::put(const std::string& file, const std::string& bytes) {
+  const std::string name = free_name(file);
+  OutputFile out((folder_ / name).string());
+  out.put(bytes);
+  out.commit();
+  return name;
+}
+
+std::string CopiedPictures::free_name(const std::string& file) {
+  const fs::path name = safe_name(file);
   std::string unique = prefix_ + name.string();
   for (int n = 2; !taken_.insert(unique).second; ++n) {
     unique = prefix_ + name.stem().string() + "_" + std::to_string(n) + name.extension().string();
   }
-  copy_picture(path, folder_ / unique);
-  return entry->second = unique;
+  return unique;
 }
 
 }  // namespace mansard

@@ -15,8 +15,12 @@ class CopiedPictures {
   explicit CopiedPictures(const std::string& model);
   /// The name of the copy. Throws Failure when the picture can not be read.
   const std::string& name_of(const std::string& path);
+  /// Likewise, of a picture that was made for the model.
+  std::string put(const std::string& file, const std::string& bytes);
 
  private:
+  std::string free_name(const std::string& file);
+
   std::filesystem::path folder_;
   std::string prefix_;
   std::map<std::string, std::string> names_;

@@ -14,7 +14,7 @@ namespace {
 using Attribute = DracoTriangles::Attribute;
 using Kind = DracoTriangles::Kind;
 
-std::size_t width_of(Kind kind) { return kind == Kind::uv ? 2 : 3; }
+std::size_t width_of(Kind kind) { return kind == Kind::uv ? 2 : kind == Kind::tangent ? 4 : 3; }
 
 draco::GeometryAttribute::Type type_of(Kind kind) {
   switch (kind) {
@@ -22,6 +22,8 @@ draco::GeometryAttribute::Type type_of(Kind kind) {
       return draco::GeometryAttribute::POSITION;
     case Kind::normal:
       return draco::GeometryAttribute::NORMAL;
+    case Kind::tangent:
+      return draco::GeometryAttribute::GENERIC;
     default:
       return draco::GeometryAttribute::TEX_COORD;
   }
@@ -30,7 +32,7 @@ draco::GeometryAttribute::Type type_of(Kind kind) {
 /// Rounds to a grid through 0, whatever the bounds of the values are.
 void set_grid(draco::ExpertEncoder& encoder, int number, const Attribute& attribute) {
   const std::size_t width = width_of(attribute.kind);
-  std::array<float, 3> low{}, high{};
+  std::array<float, 4> low{}, high{};
   std::copy_n(attribute.values.begin(), width, low.begin());
   high = low;
   for (std::size_t i = 0; i < attribute.values.size(); ++i) {
@@ -41,10 +43,10 @@ void set_grid(draco::ExpertEncoder& encoder, int number, const Attribute& attrib
   for (std::size_t i = 0; i < width; ++i)
     extent = std::max(extent, double(high[i]) - double(low[i]));
   constexpr int most_bits = 28;
-  const double coarsest = attribute.kind == Kind::uv ? 0x1p-12 : 0x1p-13;
+  const double coarsest = attribute.kind == Kind::position ? 0x1p-13 : 0x1p-12;
   double step = std::min(coarsest, std::exp2(std::floor(std::log2(std::max(extent, 1e-6))) - 16));
   while (extent / step > std::exp2(most_bits) - 4) step *= 2;
-  std::array<float, 3> origin{};
+  std::array<float, 4> origin{};
   for (std::size_t i = 0; i < width; ++i)
     origin[i] = static_cast<float>(std::floor(low[i] / step) * step);
   const int bits = std::max(1, static_cast<int>(std::ceil(std::log2(extent / step + 3))));

@@ -56,7 +56,7 @@ int index_type(uint64_t vertices) {
 
 GltfBuffers::GltfBuffers(const std::string& model, bool draco)
     : draco_(draco),
-      kinds_{Spool(model), Spool(model), Spool(model), Spool(model), Spool(model)},
+      kinds_{Spool(model), Spool(model), Spool(model), Spool(model), Spool(model), Spool(model)},
       compressed_(model),
       pictures_(model),
       views_(model),
@@ -70,6 +70,10 @@ std::string GltfBuffers::add(const GltfPrimitive& primitive) {
       ",\"NORMAL\":" + std::to_string(add_vectors(normals, primitive.normals(), 3, nullptr));
   if (primitive.has_uvs())
     text += ",\"TEXCOORD_0\":" + std::to_string(add_vectors(uvs, primitive.uvs(), 2, nullptr));
+  if (!primitive.tangents().empty()) {
+    const uint64_t number = add_vectors(tangents, primitive.tangents(), 4, nullptr);
+    text += ",\"TANGENT\":" + std::to_string(number);
+  }
   return text + "},\"indices\":" + std::to_string(add_indices(primitive));
 }
 
@@ -84,7 +88,7 @@ uint64_t GltfBuffers::add_vectors(Kind kind, std::span<const float> values, uint
                                   const GltfPrimitive* bounded) {
   Spool& spool = kinds_[kind];
   std::string text = accessor(Place{view_of(kind), spool.bytes()}, float_number,
-                              values.size() / width, width == 3 ? "VEC3" : "VEC2");
+                              values.size() / width, "VEC" + std::to_string(width));
   if (bounded) text += bounds_of(*bounded);
   spool.put_all(values);
   return accessors_.add(text + "}");
@@ -128,18 +132,21 @@ void encode(DracoTriangles& triangles) {
 /// The accessors say what the decoder will give and have no view.
 std::string GltfBuffers::add_draco(const GltfPrimitive& primitive) {
   using What = DracoTriangles::Kind;
-  const std::array<DracoTriangles::Attribute, 3> attributes{
+  const std::array<DracoTriangles::Attribute, 4> attributes{
       {{What::position, primitive.positions()},
        {What::normal, primitive.normals()},
-       {What::uv, primitive.uvs()}}};
+       {What::uv, primitive.uvs()},
+       {What::tangent, primitive.tangents()}}};
+  const std::size_t given = !primitive.has_uvs() ? 2 : primitive.tangents().empty() ? 3 : 4;
   DracoTriangles triangles;
-  triangles.attributes = std::span(attributes).first(primitive.has_uvs() ? 3 : 2);
+  triangles.attributes = std::span(attributes).first(given);
   triangles.indices = primitive.indices();
   encode(triangles);
   std::string accessor_numbers, draco_numbers;
   for (std::size_t i = 0; i < triangles.attributes.size(); ++i) {
-    constexpr std::array<std::string_view, 3> names{"POSITION", "NORMAL", "TEXCOORD_0"};
-    std::string text = accessor({}, float_number, triangles.vertices, i < 2 ? "VEC3" : "VEC2");
+    constexpr std::array<std::string_view, 4> names{"POSITION", "NORMAL", "TEXCOORD_0", "TANGENT"};
+    constexpr std::array<std::string_view, 4> shapes{"VEC3", "VEC3", "VEC2", "VEC4"};
+    std::string text = accessor({}, float_number, triangles.vertices, shapes[i]);
     if (i == 0) text += bounds_of(primitive);
     const std::string key = (i == 0 ? "\"" : ",\"") + std::string(names[i]) + "\":";
     accessor_numbers += key + std::to_string(accessors_.add(text + "}"));
@@ -191,8 +198,12 @@ void GltfBuffers::add_view(uint64_t offset, uint64_t bytes, std::string_view res
 
 GltfList& GltfBuffers::finish_views(std::span<const std::pair<uint64_t, uint64_t>> pictures) {
   constexpr std::string_view vectors = ",\"byteStride\":12,\"target\":34962";  // ARRAY_BUFFER
-  constexpr std::array<std::string_view, 5> rests{vectors, vectors, ",\"target\":34963",
-                                                  ",\"byteStride\":8,\"target\":34962", ""};
+  constexpr std::array<std::string_view, 6> rests{vectors,
+                                                  vectors,
+                                                  ",\"target\":34963",
+                                                  ",\"byteStride\":8,\"target\":34962",
+                                                  ",\"byteStride\":16,\"target\":34962",
+                                                  ""};
   uint64_t at = compressed_.bytes();
   for (const Kind kind : order_) {
     add_view(at, kinds_[kind].bytes(), rests[kind]);

@@ -56,7 +56,7 @@ class GltfBuffers {
   GltfList& accessors() { return accessors_; }
 
  private:
-  enum Kind : uint8_t { points, normals, indices, uvs, instances };
+  enum Kind : uint8_t { points, normals, indices, uvs, tangents, instances };
   std::size_t view_of(Kind kind);
   void add_view(uint64_t offset, uint64_t bytes, std::string_view rest);
   uint64_t add_vectors(Kind kind, std::span<const float> values, uint32_t width,
@@ -65,7 +65,7 @@ class GltfBuffers {
   std::string add_draco(const GltfPrimitive& primitive);
 
   bool draco_;
-  std::array<Spool, 5> kinds_;  ///< of primitives that are not compressed, and of instances
+  std::array<Spool, 6> kinds_;  ///< of primitives that are not compressed, and of instances
   std::vector<Kind> order_;     ///< of the kinds' views: as they first come
   Spool compressed_;            ///< a view each primitive
   Spool pictures_;

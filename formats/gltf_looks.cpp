@@ -2,10 +2,10 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "formats/color.hpp"
 #include "formats/copied_pictures.hpp"
+#include "formats/pictures.hpp"
 #include "grammar/diagnostic.hpp"
 
 namespace mansard {
@@ -60,17 +60,31 @@ class Images {
       : copies_(model), spool_(spool), first_view_(first_view), views_(views) {}
 
   std::size_t texture_of(const std::string& path) {
-    const auto [known, fresh] = numbers_.try_emplace(path, numbers_.size());
+    const auto [known, fresh] = numbers_.try_emplace({path, {}}, numbers_.size());
     if (!fresh) return known->second;
     const std::string bytes = picture_bytes(path);
     const std::string_view type = type_of(bytes, path);
     if (spool_) {
-      images.push_back({{"mimeType", type}, {"bufferView", first_view_ + views_.size()}});
-      views_.emplace_back(spool_->bytes(), bytes.size());
-      spool_->put(bytes);
-      spool_->align();
+      embed(bytes, type);
     } else {
       images.push_back({{"uri", as_uri(copies_.name_of(path))}});
+    }
+    textures.push_back({{"source", known->second}});
+    return known->second;
+  }
+
+  /// Roughness and metal in one picture. Without metal that of roughness is such a picture.
+  std::size_t metal_rough_of(const Finish& finish) {
+    if (finish.metallic == 0 && finish.metallic_map.empty())
+      return texture_of(finish.roughness_map);
+    const auto [known, fresh] =
+        numbers_.try_emplace({finish.roughness_map, finish.metallic_map + "\n"}, numbers_.size());
+    if (!fresh) return known->second;
+    const std::string bytes = packed_metal_rough(finish.roughness_map, finish.metallic_map);
+    if (spool_) {
+      embed(bytes, "image/png");
+    } else {
+      images.push_back({{"uri", as_uri(copies_.put("metal_rough.png", bytes))}});
     }
     textures.push_back({{"source", known->second}});
     return known->second;
@@ -79,24 +93,43 @@ class Images {
   Json images = Json::array(), textures = Json::array();
 
  private:
+  void embed(const std::string& bytes, std::string_view type) {
+    images.push_back({{"mimeType", type}, {"bufferView", first_view_ + views_.size()}});
+    views_.emplace_back(spool_->bytes(), bytes.size());
+    spool_->put(bytes);
+    spool_->align();
+  }
+
   CopiedPictures copies_;
   Spool* spool_;
   std::size_t first_view_;
   std::vector<std::pair<uint64_t, uint64_t>>& views_;
-  std::map<std::string, std::size_t> numbers_;
+  std::map<std::pair<std::string, std::string>, std::size_t> numbers_;
 };
 
-Json to_json(const Look& look, std::optional<std::size_t> texture) {
+Json surface_of(const Look& look, Images& images) {
   Json surface;
-  if (texture) {
-    surface["baseColorTexture"] = {{"index", *texture}};
-    if (look.opacity < 1) surface["baseColorFactor"] = {1, 1, 1, look.opacity};
-  } else {
-    surface["baseColorFactor"] = {to_linear(look.color.x), to_linear(look.color.y),
-                                  to_linear(look.color.z), look.opacity};
+  const Vec3 c = look.color;
+  if (!look.texture.empty())
+    surface["baseColorTexture"] = {{"index", images.texture_of(look.texture)}};
+  if (look.texture.empty() || look.opacity < 1 || c != Vec3{1, 1, 1}) {
+    surface["baseColorFactor"] = {to_linear(c.x), to_linear(c.y), to_linear(c.z), look.opacity};
   }
-  surface["metallicFactor"] = 0;
-  Json material{{"name", look.name}, {"pbrMetallicRoughness", surface}};
+  const Finish& finish = look.finish;
+  if (!finish.roughness_map.empty() || !finish.metallic_map.empty())
+    surface["metallicRoughnessTexture"] = {{"index", images.metal_rough_of(finish)}};
+  surface["metallicFactor"] = finish.metallic;
+  if (finish.roughness < 1) surface["roughnessFactor"] = finish.roughness;
+  return surface;
+}
+
+Json to_json(const Look& look, Images& images) {
+  Json material{{"name", look.name}, {"pbrMetallicRoughness", surface_of(look, images)}};
+  if (!look.finish.normal_map.empty()) {
+    Json& normals = material["normalTexture"];
+    normals["index"] = images.texture_of(look.finish.normal_map);
+    if (look.finish.relief != 1) normals["scale"] = look.finish.relief;
+  }
   if (look.opacity < 1) material["alphaMode"] = "BLEND";
   return material;
 }
@@ -107,12 +140,7 @@ std::string GltfLooks::members(std::span<const Look> looks, const std::string& m
                                Spool* pictures, std::size_t first_view) {
   Images images(model, pictures, first_view, views_);
   Json materials = Json::array();
-  for (const uint32_t number : used_) {
-    const Look& look = looks[number];
-    std::optional<std::size_t> texture;
-    if (!look.texture.empty()) texture = images.texture_of(look.texture);
-    materials.push_back(to_json(look, texture));
-  }
+  for (const uint32_t number : used_) materials.push_back(to_json(looks[number], images));
   std::string text;
   const auto add = [&](std::string_view key, const Json& list) {
     if (list.empty()) return;

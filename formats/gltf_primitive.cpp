@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "geometry/clip.hpp"
@@ -12,11 +13,13 @@ namespace {
 constexpr std::size_t slot_count = 1 << 14;  ///< a vertex that was pushed out is written again
 }
 
-void GltfPrimitive::clear(bool with_uvs) {
+void GltfPrimitive::clear(bool with_uvs, bool with_tangents) {
   with_uvs_ = with_uvs;
+  with_tangents_ = with_uvs && with_tangents;
   positions_.clear();
   normals_.clear();
   uvs_.clear();
+  tangents_.clear();
   indices_.clear();
   slots_.resize(slot_count);
   slot_ages_.resize(slot_count, 0);
@@ -36,6 +39,22 @@ bool is_convex(std::span<const Vec3> loop, Vec3 normal) {
   return true;
 }
 
+/// A polygon's texture runs straight on: its direction is that of any three corners that span it.
+std::array<float, 4> tangent_of(std::span<const Vec3> loop, std::span<const Vec2> uvs,
+                                Vec3 normal) {
+  Vec3 right = loop[1] - loop[0];
+  double most = 0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const Vec2 a = uvs[i] - uvs[0], b = uvs[i + 1] - uvs[0];
+    const double turn = cross(a, b);
+    if (std::abs(turn) <= std::abs(most)) continue;
+    most = turn;
+    right = ((loop[i] - loop[0]) * b.y - (loop[i + 1] - loop[0]) * a.y) * (1 / turn);
+  }
+  const Vec3 along = normalized(right - normal * dot(right, normal));
+  return {float(along.x), float(along.y), float(along.z), most < 0 ? -1.0F : 1.0F};
+}
+
 }  // namespace
 
 void GltfPrimitive::add(const Surface& surface, std::size_t polygon, Vec3 origin) {
@@ -44,6 +63,8 @@ void GltfPrimitive::add(const Surface& surface, std::size_t polygon, Vec3 origin
   if (!(dot(n, n) > 0.5) || loop.size() < 3) return;
   const uint32_t first = surface.begin(polygon);
   loop_.clear();
+  if (with_tangents_)
+    tangent_ = tangent_of(loop, std::span(surface.uvs).subspan(first, loop.size()), n);
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec3 p = loop[i] - origin;
     const Vec2 uv = with_uvs_ ? surface.uvs[first + i] : Vec2{};
@@ -69,7 +90,9 @@ bool GltfPrimitive::same(uint32_t number, const Vertex& v) const {
   return std::equal(v.begin(), v.begin() + 3, positions_.begin() + std::ptrdiff_t(at)) &&
          std::equal(v.begin() + 3, v.begin() + 6, normals_.begin() + std::ptrdiff_t(at)) &&
          (!with_uvs_ ||
-          (uvs_[2 * std::size_t(number)] == v[6] && uvs_[2 * std::size_t(number) + 1] == v[7]));
+          (uvs_[2 * std::size_t(number)] == v[6] && uvs_[2 * std::size_t(number) + 1] == v[7])) &&
+         (!with_tangents_ || std::equal(tangent_.begin(), tangent_.end(),
+                                        tangents_.begin() + 4 * std::ptrdiff_t(number)));
 }
 
 uint32_t GltfPrimitive::vertex(const Vertex& v) {
@@ -84,6 +107,7 @@ uint32_t GltfPrimitive::vertex(const Vertex& v) {
   positions_.insert(positions_.end(), v.begin(), v.begin() + 3);
   normals_.insert(normals_.end(), v.begin() + 3, v.begin() + 6);
   if (with_uvs_) uvs_.insert(uvs_.end(), v.begin() + 6, v.end());
+  if (with_tangents_) tangents_.insert(tangents_.end(), tangent_.begin(), tangent_.end());
   for (std::size_t i = 0; i < 3; ++i) {
     low_[i] = std::min(low_[i], v[i]);
     high_[i] = std::max(high_[i], v[i]);

@@ -14,7 +14,8 @@ namespace mansard {
 /// to the next.
 class GltfPrimitive {
  public:
-  void clear(bool with_uvs);
+  /// Tangents, for pictures of normals, need texture coordinates.
+  void clear(bool with_uvs, bool with_tangents = false);
   /// A polygon of the surface, its points less `origin`. One without area is left out.
   void add(const Surface& surface, std::size_t polygon, Vec3 origin);
 
@@ -23,6 +24,8 @@ class GltfPrimitive {
   std::span<const float> positions() const { return positions_; }
   std::span<const float> normals() const { return normals_; }
   std::span<const float> uvs() const { return uvs_; }
+  /// Four numbers a vertex: where u grows, and 1, or -1 where the picture is mirrored.
+  std::span<const float> tangents() const { return tangents_; }
   std::span<const uint32_t> indices() const { return indices_; }
   uint32_t vertices() const { return static_cast<uint32_t>(positions_.size() / 3); }
   std::array<float, 3> low() const { return low_; }
@@ -33,8 +36,9 @@ class GltfPrimitive {
   uint32_t vertex(const Vertex& v);
   bool same(uint32_t number, const Vertex& v) const;
 
-  bool with_uvs_ = false;
-  std::vector<float> positions_, normals_, uvs_;
+  bool with_uvs_ = false, with_tangents_ = false;
+  std::vector<float> positions_, normals_, uvs_, tangents_;
+  std::array<float, 4> tangent_{};  ///< of the polygon
   std::vector<uint32_t> indices_;
   std::vector<uint32_t> loop_;   ///< numbers of the polygon's vertices
   std::vector<uint32_t> slots_;  ///< of vertices by hash; a number of before age_ is free

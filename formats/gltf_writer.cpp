@@ -258,7 +258,8 @@ uint64_t GltfWriter::shared_mesh(std::size_t number) {
 void GltfWriter::begin_primitive(uint32_t look, bool uvs) {
   end_primitive();
   look_ = look;
-  primitive_.clear(uvs && !all_looks_[look].texture.empty());
+  const Look& seen = all_looks_[look];
+  primitive_.clear(uvs && seen.has_pictures(), !seen.finish.normal_map.empty());
 }
 
 void GltfWriter::end_primitive() {

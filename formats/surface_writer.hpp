@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/finish.hpp"
 #include "geometry/mesh.hpp"
 #include "interpreter/footprint.hpp"
 
@@ -17,7 +18,10 @@ struct Look {
   std::string name;  ///< unique, fit for a material name
   Vec3 color{0.8, 0.8, 0.8};
   double opacity = 1;
-  std::string texture;  ///< path of an existing picture, empty for none
+  std::string texture;  ///< path of an existing picture that `color` colours, empty for none
+  Finish finish = {};
+
+  bool has_pictures() const { return !texture.empty() || finish.has_pictures(); }
 };
 
 struct NamedSurface {

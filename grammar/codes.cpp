@@ -184,7 +184,7 @@ them. A child's variable keeps the annotations of the one that it overrides.
 
 Change the value, or what the annotation says.)"},
     CodePage{
-        "W020", "The picture of a texture is missing.",
+        "W020", "The picture of a texture is missing, or is none that can be used.",
         R"(The file was looked for beside the script that names it, then in each --style-path. The surfaces keep
 their plain colour.
 

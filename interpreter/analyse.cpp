@@ -137,6 +137,7 @@ void Compiler::check_types() {
       check_call_types(call);
       check_sizes(call);
       check_picture(call);
+      check_material(call);
     });
   }
 }
@@ -224,6 +225,34 @@ void Compiler::check_picture(const Call& call) {
   const ExprId file = call.args[0].value;
   if (program_.nodes[file].kind != ExprKind::constant) return;
   picture(program_.constants[program_.nodes[file].first].string(), program_.spans[file]);
+}
+
+/// Of a material() that names its entry outright, which from here on is a symbol.
+void Compiler::check_material(const Call& call) {
+  if (call.operation != find_operation("material")) return;
+  const ExprNode& node = program_.nodes[call.args[0].value];
+  if (node.kind != ExprKind::constant) return;
+  Value& name = program_.constants[node.first];
+  if (name.type != Type::string) return;
+  const auto symbol = program_.symbols.find(name.string());
+  const auto has = [&](const CompiledStyle& style) {
+    return std::ranges::find(style.linked->materials, name.string(), &MaterialBinding::symbol) !=
+           style.linked->materials.end();
+  };
+  if (symbol && std::ranges::any_of(program_.styles, has)) {
+    name = Value::of_symbol(*symbol);
+    return;
+  }
+  std::vector<std::string_view> names;
+  for (const CompiledStyle& style : program_.styles) {
+    for (const MaterialBinding& binding : style.linked->materials) names.push_back(binding.symbol);
+  }
+  const std::string help = meant(name.string(), names);
+  refuse(program_.spans[call.args[0].value],
+         "there are no materials for '" + std::string(name.string()) + "'",
+         help.empty() ? "write them in the block Materials: " + std::string(name.string()) +
+                            " : color(\"tan\")"
+                      : help);
 }
 
 void Compiler::refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const {

@@ -1,10 +1,8 @@
 // Elements and materials.
 #include <algorithm>
-#include <set>
 
 #include "interpreter/compiler.hpp"
 #include "interpreter/messages.hpp"
-#include "interpreter/picture.hpp"
 #include "interpreter/random.hpp"
 
 namespace mansard {
@@ -78,72 +76,6 @@ const Mesh* Compiler::element_mesh(const std::string& path, Span at) {
   return nullptr;
 }
 
-const Value& Compiler::literal(const syntax::Arg& arg) {
-  uint16_t salt = 0;
-  NameScope scope{program_.main_style, {}, {}, none, false, false, &salt};
-  const ExprId id = plain_argument(arg, scope);
-  const ExprNode& node = program_.nodes[id];
-  if (node.kind != ExprKind::constant)
-    refuse(arg.at, "in Materials stand plain strings and numbers");
-  return program_.constants[node.first];
-}
-
-std::string Compiler::picture(std::string_view file, Span at) {
-  std::string path = find_picture(file, at, program_, meshes_);
-  if (path.empty()) diagnostics_.add(missing_picture(file, at));
-  return path;
-}
-
-Material Compiler::material_of(const syntax::MaterialAlternative& alternative, std::string name) {
-  Material material = program_.materials[0];
-  material.name = std::move(name);
-  std::set<std::string_view> said;
-  for (const syntax::Emit& look : alternative.looks) {
-    if (!said.insert(look.name.text).second) {
-      refuse(look.name.at, "a second " + std::string(look.name.text) + "() for the same surface",
-             "write a '|' between alternatives: color(\"tan\") | color(\"gray\")");
-    }
-    std::vector<Value> values;
-    if (look.args) {
-      for (const syntax::Arg& arg : *look.args) values.push_back(literal(arg));
-    }
-    const auto is = [&](std::size_t i, Type type) {
-      return i < values.size() && values[i].type == type;
-    };
-    if (look.name.text == "color") {
-      if (values.size() != 1 || !is(0, Type::string) ||
-          !parse_color(values[0].string(), material.color)) {
-        refuse(look.args_at ? look.args_at : look.name.at,
-               "color() takes \"#rgb\", \"#rrggbb\" or a CSS colour name",
-               "for instance color(\"#445566\") or color(\"slategray\")");
-      }
-    } else if (look.name.text == "texture") {
-      if (!is(0, Type::string) || values.size() > 3 ||
-          (values.size() > 1 && !is(1, Type::number)) ||
-          (values.size() > 2 && !is(2, Type::number))) {
-        refuse(look.name.at, "texture() takes a file and the metres of one repeat",
-               "texture(\"brick.jpg\", 2, 1)");
-      }
-      material.texture = picture(values[0].string(), look.args->front().at);
-      if (!material.texture.empty()) material.color = {1, 1, 1};
-      material.metres.x = values.size() > 1 ? values[1].number : 1;
-      material.metres.y = values.size() > 2 ? values[2].number : material.metres.x;
-      if (!(material.metres.x > 0 && material.metres.y > 0))
-        refuse(look.name.at, "a repeat of a texture covers more than 0 m");
-    } else if (look.name.text == "opacity") {
-      if (values.size() != 1 || !is(0, Type::number) || values[0].number < 0 ||
-          values[0].number > 1) {
-        refuse(look.name.at, "opacity() takes a number between 0 and 1");
-      }
-      material.opacity = values[0].number;
-    } else {
-      refuse(look.name.at, "'" + std::string(look.name.text) + "' is no look of this version",
-             "color(), texture() or opacity()");
-    }
-  }
-  return material;
-}
-
 /// The same alternative is the same material in every heir; names are numbered until they are free.
 uint32_t Compiler::material_number(const MaterialChoice& choice, std::string_view symbol) {
   const auto [known, fresh] = material_numbers_.try_emplace(choice.syntax, 0);
@@ -170,7 +102,13 @@ void Compiler::compile_materials(uint16_t number) {
         table.weights.push_back(weight(choice.syntax->weight, number));
         table.total += table.weights.back();
       }
-      if (table.materials.empty() || table.total <= 0) return;
+      if (table.materials.empty()) return;
+      if (table.total <= 0) {
+        refuse(binding.alternatives.back().syntax->weight->at,
+               "the weights of '" + std::string(binding.symbol) +
+                   "' add up to 0: none of them is ever drawn",
+               "give one of them more than 0, or leave the weights away");
+      }
       const auto* per = binding.entry && binding.entry->per
                             ? std::get_if<syntax::Text>(&binding.entry->per->is)
                             : nullptr;

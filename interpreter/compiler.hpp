@@ -130,10 +130,12 @@ class Compiler {
   const Mesh* element_mesh(const std::string& path, Span at);
   void element_choice(const ElementChoice& alternative, ElementTable& table);
   double weight(const syntax::ExprPtr& weight, uint16_t style);
-  /// The path of a texture's picture; empty, and a warning, when it is missing.
+  uint32_t material_number(const MaterialChoice& choice, std::string_view symbol);
+
+  // compile_surface.cpp
+  /// The path of a texture's picture; empty, and a warning, when it can not be used.
   std::string picture(std::string_view file, Span at);
   Material material_of(const syntax::MaterialAlternative& alternative, std::string name);
-  uint32_t material_number(const MaterialChoice& choice, std::string_view symbol);
   const Value& literal(const syntax::Arg& arg);
 
   // variable_order.cpp
@@ -195,6 +197,7 @@ class Compiler {
   void refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const;
   void check_sizes(const Call& call);
   void check_picture(const Call& call);
+  void check_material(const Call& call);
 
   /// Runs f; a Failure becomes a diagnostic with a note of where we are.
   template <class F>

@@ -22,7 +22,6 @@ Shape piece_of(const Shape& parent, const Scope& scope) {
   piece.form = Form::rectangle;
   piece.ground = false;
   piece.geometry = Shape::none;
-  piece.uv_frame = Shape::none;
   piece.cuts = 0;
   piece.open = 0;
   piece.corner_left = piece.corner_right = 180;
@@ -176,7 +175,7 @@ void push_mesh_faces(Machine& machine, const Shape& shape) {
 }
 
 void push_framed(Machine& machine, Shape face) {
-  machine.frame_uvs(face);
+  if (face.uv_frame == Shape::none) machine.frame_uvs(face);  // relief goes on with its wall's
   machine.scratch_shapes.push_back(face);
 }
 

@@ -11,7 +11,17 @@ namespace {
 
 constexpr double thin = 1e-9;  ///< metres; faces thinner than this are no faces
 
-UvFrame own_frame(const Scope& scope) { return {scope.origin, scope.x, scope.y, scope.z}; }
+/// A wall's frame folded over to a face that meets its plane at an angle, as paper would be: the
+/// pattern runs on into reveals and over the sides of what stands out.
+UvFrame folded(const UvFrame& wall, Vec3 on_face, Vec3 normal) {
+  const Vec3 axis = normalized(cross(wall.normal, normal));
+  const Vec3 across = cross(wall.normal, axis), face_across = cross(normal, axis);
+  const auto turned = [&](Vec3 v) { return axis * dot(axis, v) + face_across * dot(across, v); };
+  const double away = dot(wall.origin - on_face, wall.normal) / dot(face_across, wall.normal);
+  const Vec3 edge = on_face + face_across * away;  // on both planes
+  return {edge - turned(edge - wall.origin), turned(wall.u), turned(wall.v), normal,
+          wall.in_repeats};
+}
 
 /// What was drawn since `first` may have its like elsewhere: columns, sills, balusters. A texture
 /// runs on over walls and so lies differently on each.
@@ -30,12 +40,9 @@ const Material& Machine::material(uint32_t number) const {
 }
 
 uint32_t Machine::add_material(const Material& material) {
-  const auto same = [&](const Material& m) {
-    return m.color == material.color && m.texture == material.texture &&
-           m.metres == material.metres && m.opacity == material.opacity && m.name == material.name;
-  };
   for (std::size_t i = 0; i < building->materials.size(); ++i) {
-    if (same(building->materials[i])) return static_cast<uint32_t>(program.materials.size() + i);
+    if (building->materials[i] == material)
+      return static_cast<uint32_t>(program.materials.size() + i);
   }
   building->materials.push_back(material);
   return static_cast<uint32_t>(program.materials.size() + building->materials.size() - 1);
@@ -43,12 +50,17 @@ uint32_t Machine::add_material(const Material& material) {
 
 /// A look chosen in the very rule that emitted the terminal beats Materials; one inherited from
 /// above does not (as inline and inherited styles in CSS).
-uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) {
+uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) const {
   const uint32_t table = program.styles[shape.style].materials[symbol];
   if (table == none) return shape.material;
   const bool direct = shape.look_by != Shape::none &&
                       (shape.look_by == shape.node || shape.look_by == nodes_[shape.node].parent);
   if (direct) return shape.material;
+  return draw_material(table, shape);
+}
+
+/// One alternative by weight.
+uint32_t Machine::draw_material(uint32_t table, const Shape& shape) const {
   const MaterialTable& materials = program.material_tables[table];
   if (materials.materials.size() == 1) return materials.materials[0];
   double draw =
@@ -71,7 +83,7 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
     case Form::line:
       return;
     case Form::rectangle:
-      draw_rectangle(shape.scope, texture_frame(shape, shape.scope.z), look);
+      draw_rectangle(shape.scope, texture_frame(shape, shape.scope), look);
       break;
     case Form::polygon:
       draw_polygon(shape, look, 0, false);
@@ -121,20 +133,39 @@ void Machine::close_run(uint32_t symbol, uint32_t look) {
   }
 }
 
-/// The shape's texture frame (so that textures run on across splits), or its own scope where that
-/// frame belongs to another plane.
-UvFrame Machine::texture_frame(const Shape& shape, Vec3 normal) const {
-  if (shape.uv_frame != Shape::none) {
-    const UvFrame& wall = uv_frames[shape.uv_frame];
-    if (std::abs(dot(wall.normal, normal)) > 0.7) return wall;
-  }
-  return own_frame(shape.scope);
+/// From the face's lower left corner; on an upright face the height counts from the foot of the
+/// building, so that the courses of all its walls are level.
+UvFrame Machine::frame_on(const Scope& face) const {
+  UvFrame frame{face.origin, face.x, face.y, face.z};
+  if (face.y.y > 1 - 1e-9) frame.origin.y = base_elevation;
+  return frame;
+}
+
+constexpr double near_enough = 0.7;  ///< cosine: planes at less than 45 degrees share a frame
+
+/// The shape's texture frame, so that textures run on across splits; without one the face's own.
+UvFrame Machine::texture_frame(const Shape& shape, const Scope& face) const {
+  if (shape.uv_frame == Shape::none) return frame_on(face);
+  const UvFrame& wall = uv_frames[shape.uv_frame];
+  return std::abs(dot(wall.normal, face.z)) > near_enough ? wall
+                                                          : folded(wall, face.origin, face.z);
+}
+
+/// Likewise of a polygon, which may lie askew in the shape's scope.
+UvFrame Machine::texture_frame(const Shape& shape, std::span<const Vec3> loop, Vec3 normal) const {
+  const bool framed = shape.uv_frame != Shape::none;
+  UvFrame frame = framed ? uv_frames[shape.uv_frame] : frame_on(shape.scope);
+  if (std::abs(dot(frame.normal, normal)) >= near_enough) return frame;
+  if (framed) return folded(frame, loop[0], normal);
+  frame.u = normalized(loop[1] - loop[0]);
+  frame.v = cross(normal, frame.u);
+  return frame;
 }
 
 void Machine::push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame,
                         uint32_t look) {
   Surface& surface = building->surface;
-  const Vec2 metres = material(look).metres;
+  const Vec2 metres = frame.in_repeats ? Vec2{1, 1} : material(look).metres;
   const Vec3 u = frame.u * (1 / metres.x), v = frame.v * (1 / metres.y);
   const std::size_t first = surface.points.size();
   surface.points.insert(surface.points.end(), loop.begin(), loop.end());
@@ -153,12 +184,7 @@ void Machine::push_polygon(std::span<const Vec3> loop, const Shape& shape, uint3
   const double size = length(area);
   if (!(size > thin * thin)) return;
   const Vec3 normal = area * (1 / size);
-  UvFrame frame = texture_frame(shape, normal);
-  if (std::abs(dot(frame.normal, normal)) < 0.7) {
-    frame.u = normalized(loop[1] - loop[0]);
-    frame.v = cross(normal, frame.u);
-  }
-  push_face(loop, normal, frame, look);
+  push_face(loop, normal, texture_frame(shape, loop, normal), look);
 }
 
 /// Most of what is ever drawn: the scope knows the normal.
@@ -198,7 +224,7 @@ void Machine::draw_box(const Shape& shape, uint32_t look) {
   for (int side = 0; side < 6; ++side) {
     if (shape.open & (1 << side)) continue;
     const Scope face = box_side_scope(shape.scope, side);
-    draw_rectangle(face, own_frame(face), look);
+    draw_rectangle(face, texture_frame(shape, face), look);
   }
 }
 
@@ -206,12 +232,10 @@ void Machine::draw_prism(const Shape& shape, uint32_t look) {
   const uint32_t walls = prism_walls(*this, shape);
   for (uint32_t i = 0; i < walls; ++i) {
     const Scope wall = prism_wall(*this, shape, i).scope;
-    draw_rectangle(wall, own_frame(wall), look);
+    draw_rectangle(wall, texture_frame(shape, wall), look);
   }
-  Shape cap = shape;
-  cap.uv_frame = Shape::none;
-  draw_polygon(cap, look, prism_height(shape), false);
-  if (!(shape.open & prism_base(shape))) draw_polygon(cap, look, 0, true);
+  draw_polygon(shape, look, prism_height(shape), false);
+  if (!(shape.open & prism_base(shape))) draw_polygon(shape, look, 0, true);
 }
 
 /// Numbers of the materials that the mesh's own file gave it.
@@ -238,7 +262,7 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
     if (turned) std::reverse(loop_.begin(), loop_.end());
     const bool own_look = face.material < own_looks.size();
     const uint32_t face_look = own_look ? own_looks[face.material] : look;
-    alike = alike && (own_look || material(look).texture.empty());
+    alike = alike && (own_look || !material(look).has_pictures());
     const std::size_t before = surface.uvs.size();
     push_polygon(loop_, shape, face_look);
     if (own_look && !mesh.uvs.empty() && surface.uvs.size() > before) {

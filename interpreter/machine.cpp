@@ -324,7 +324,7 @@ uint32_t Machine::borrow_mesh(const Mesh& mesh) {
 
 void Machine::frame_uvs(Shape& shape) {
   shape.uv_frame = static_cast<uint32_t>(uv_frames.size());
-  uv_frames.push_back({shape.scope.origin, shape.scope.x, shape.scope.y, shape.scope.z});
+  uv_frames.push_back(frame_on(shape.scope));
 }
 
 Derivation::Derivation(const Program& program, MeshSource& meshes, const DeriveOptions& options)

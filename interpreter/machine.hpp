@@ -46,9 +46,10 @@ struct PooledMesh {
   const Mesh& mesh() const { return borrowed ? *borrowed : own; }
 };
 
-/// Where a texture starts and runs on a wall.
+/// Where a texture starts and runs on a wall: from `origin` along u and v, by their length.
 struct UvFrame {
   Vec3 origin, u, v, normal;
+  bool in_repeats = false;  ///< u and v count repeats, not metres
 };
 
 /// A value given by set(), newest first.
@@ -89,6 +90,9 @@ class Machine {
   uint32_t borrow_mesh(const Mesh& mesh);
   const PooledMesh& mesh_of(const Shape& shape) const { return meshes_[shape.geometry]; }
   void frame_uvs(Shape& shape);
+  UvFrame frame_on(const Scope& face) const;
+  /// The number of a material of the table, drawn for the shape.
+  uint32_t draw_material(uint32_t table, const Shape& shape) const;
 
   // ---- derivation
   void run(BodyId body, Shape& shape, const Env& env);
@@ -250,11 +254,12 @@ class Machine {
   std::span<const uint32_t> own_looks(const Mesh& mesh);
   static const ElementTable::Choice& choose_element(const ElementTable& table, const Shape& shape);
   bool draw_element(const Shape& shape, uint32_t table);
-  UvFrame texture_frame(const Shape& shape, Vec3 normal) const;
+  UvFrame texture_frame(const Shape& shape, const Scope& face) const;
+  UvFrame texture_frame(const Shape& shape, std::span<const Vec3> loop, Vec3 normal) const;
   void push_polygon(std::span<const Vec3> loop, const Shape& shape, uint32_t look);
   void push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame, uint32_t look);
   void close_run(uint32_t symbol, uint32_t material);
-  uint32_t look_of(const Shape& shape, uint32_t symbol);
+  uint32_t look_of(const Shape& shape, uint32_t symbol) const;
   uint64_t stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
                      uint64_t salt) const;
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/finish.hpp"
 #include "geometry/mesh.hpp"
 
 namespace mansard {
@@ -12,8 +13,12 @@ struct Material {
   std::string name;
   Vec3 color{0.8, 0.8, 0.8};  ///< sRGB, 0..1
   double opacity = 1;
-  std::string texture;  ///< path of the picture, empty for none
-  Vec2 metres{1, 1};    ///< of wall that one repeat of the texture covers
+  std::string texture;  ///< path of the picture that colours `color`, empty for none
+  Vec2 metres{1, 1};    ///< of wall that one repeat of the pictures covers
+  Finish finish = {};
+
+  bool has_pictures() const { return !texture.empty() || finish.has_pictures(); }
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// "#rgb", "#rrggbb" or a CSS colour name, as sRGB; false for other text.

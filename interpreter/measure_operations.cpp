@@ -38,7 +38,7 @@ Measurer::Measurer(Machine& machine) : machine_(machine) {
       {"t", keeps},       {"center", keeps},   {"mirror", keeps},     {"pivot", keeps},
       {"color", keeps},   {"texture", keeps},  {"label", keeps},      {"occluder", keeps},
       {"report", keeps},  {"print", keeps},    {"fail", keeps},       {"best", tries},
-      {"snap", keeps}};
+      {"snap", keeps},    {"material", keeps}, {"uv", keeps}};
   for (const Operation& operation : operations()) {
     const auto* row = std::ranges::find(rows, operation.name, &Known::name);
     effects_.push_back(row == std::end(rows) ? hides : row->effect);

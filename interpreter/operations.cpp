@@ -173,6 +173,13 @@ constexpr std::array rows{
                      "Covers the shape and all that is derived from it with a picture, u and v "
                      "metres for one repeat.",
                      ""),
+    row<op::material>("look", "material", "name", without, "",
+                      "Gives the shape and all that is derived from it a look of Materials.",
+                      "extrude(4) material(BRICK) MASS"),
+    row<op::uv>("look", "uv", "across, up, turn", without, "",
+                "Begins pictures anew at the shape's lower left corner: so many repeats across and "
+                "up it, else as many as their metres make; turned by degrees.",
+                "extrude(4) comp { side : uv(1, 1) SIGN }"),
     row<op::label>("context", "label", "name", without, "",
                    "Names the shape, for the tree and for later questions.",
                    "extrude(4) label(\"tower\") TOWER"),
@@ -201,8 +208,8 @@ constexpr std::array rows{
                   "Stops the building with a message of the style's own.", ""),
 };
 
-constexpr std::array<std::string_view, 8> later{"stain",    "material",  "uv",     "union",
-                                                "subtract", "intersect", "layers", "relayout"};
+constexpr std::array<std::string_view, 6> later{"stain",     "union",  "subtract",
+                                                "intersect", "layers", "relayout"};
 
 struct LaterWords {
   std::string_view parameter;

@@ -1,17 +1,20 @@
 // The pictures of textures.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "interpreter/program.hpp"
 
 namespace mansard {
 
-/// The path of a picture: beside the script that names it at `at`, else in the style path. Empty
-/// when there is no such file.
-std::string find_picture(std::string_view file, Span at, const Program& program,
-                         MeshSource& source);
-/// W020, at the name of the file.
-Diagnostic missing_picture(std::string_view file, Span at);
+struct FoundPicture {
+  std::string path;                   ///< empty when there is no such file, or no picture in it
+  std::optional<Diagnostic> problem;  ///< W020, at the name of the file
+};
+
+/// Looks beside the script that names the picture at `at`, then in the style path.
+FoundPicture find_picture(std::string_view file, Span at, const Program& program,
+                          MeshSource& source);
 
 }  // namespace mansard

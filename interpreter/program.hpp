@@ -290,6 +290,9 @@ class MeshSource {
   virtual const Mesh* mesh(const std::string& path, std::string& problem) = 0;
   /// Whether there is such a file to texture with. Safe to call from several threads.
   virtual bool has_picture(const std::string& path) = 0;
+  /// Why a picture that is there can not be used, in a few words; empty when it can. Safe to call
+  /// from several threads.
+  virtual std::string picture_problem(const std::string&) { return {}; }
 };
 
 /// For work that draws nothing: no mesh can be read, every picture is there.

@@ -23,6 +23,33 @@ Float3 mirrored(const Lighting& lighting, Float3 point, Float3 direction, Float3
   return lighting.radiance(point + normal * 2e-3F, out) * part;
 }
 
+/// How much more light than the plain surface a place gets that leans: lit by the sky, and by the
+/// sun where the surface looks that way. A part of the colour, so that smoothing light keeps it.
+float relief(const Lighting& lighting, Float3 normal, Float3 leaning) {
+  const auto light = [&](Float3 n) {
+    return 0.6F + 0.25F * n.y + std::max(0.0F, dot(n, lighting.sun()));
+  };
+  return light(leaning) / light(normal);
+}
+
+/// Smooth stone and metal: Schlick's Fresnel term, dulled by roughness, which also spreads what is
+/// seen until only the sky's own light is left of it.
+void polish(Film& film, std::size_t i, const Lighting& lighting, Float3 point, Float3 direction,
+            const RayScene::Gloss& gloss) {
+  const float smooth = (1 - gloss.roughness) * (1 - gloss.roughness);
+  if (smooth < 0.02F) return;
+  const Float3 normal = gloss.normal;
+  const Float3 straight = mix({0.04F, 0.04F, 0.04F}, film.color[i], gloss.metallic);
+  const float grazing = 1 - std::min(1.0F, std::abs(dot(normal, direction)));
+  const float rim = grazing * grazing * grazing * grazing * grazing;
+  const Float3 part = mix(straight, {1, 1, 1}, rim) * smooth;
+  Float3 out = normalized(direction - normal * (2 * dot(direction, normal)));
+  out.y = std::abs(out.y);
+  const Float3 sharp = lighting.radiance(point + normal * 2e-3F, out);
+  film.shine[i] = mix(sharp, sky_light(out) * 0.7F, gloss.roughness) * part;
+  film.color[i] = film.color[i] * (1 - gloss.metallic * smooth);
+}
+
 void expose_sample(Film& film, int x, int row, const RayScene& world, const Tracer& tracer,
                    const Lighting& lighting, int samples) {
   const std::size_t i = film.at(x, row);
@@ -35,15 +62,20 @@ void expose_sample(Film& film, int x, int row, const RayScene& world, const Trac
   const float distance = length(ray);
   const Float3 direction = ray * (1 / distance);
   const float slant = std::max(0.25F, -dot(hit.normal, direction));
-  film.color[i] =
-      world.color_at(hit.triangle, hit.u, hit.v, 0.5F * film.pixel * hit.t / std::sqrt(slant));
+  const float pixel = 0.5F * film.pixel * hit.t / std::sqrt(slant);
+  film.color[i] = world.color_at(hit.triangle, hit.u, hit.v, pixel);
   const Float3 point = film.lens.eye + ray * hit.t;
   film.light[i] = lighting.gather(point, hit.normal, Spread(x, film.top + row, samples), samples);
-  if (hit.triangle != RayScene::ground && world.look_of(hit.triangle).glass) {
+  if (hit.triangle == RayScene::ground) return;
+  if (world.look_of(hit.triangle).glass) {
     film.color[i] = film.color[i] * 0.55F;
     const Float3 normal = pane_normal(hit.normal, world.face[hit.triangle]);
     film.shine[i] = mirrored(lighting, point, direction, normal);
+    return;
   }
+  const RayScene::Gloss gloss = world.gloss_at(hit.triangle, hit.u, hit.v, pixel, hit.normal);
+  film.color[i] = film.color[i] * relief(lighting, hit.normal, gloss.normal);
+  polish(film, i, lighting, point, direction, gloss);
 }
 
 /// Whether the sample lies behind one plane in which both others lie.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/finish.hpp"
 #include "geometry/mesh.hpp"
 
 namespace mansard {
@@ -16,7 +17,9 @@ namespace mansard {
 struct Paint {
   Vec3 color{0.8, 0.8, 0.8};
   bool glass = false;
-  std::string texture;  ///< path of a picture, empty for none
+  std::string texture;  ///< path of a picture, which `color` stands in for when it is missing
+  Finish finish = {};
+  Vec3 tint{1, 1, 1};  ///< of the picture
 };
 
 /// Triangles to look at. Append, then render.

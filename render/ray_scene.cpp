@@ -58,18 +58,24 @@ RayScene::RayScene(const Scene& scene, const RayScene& frame) {
 }
 
 void RayScene::read_looks(const Scene& scene) {
-  std::map<std::string, std::shared_ptr<const Texture>> textures;
+  using Read = std::shared_ptr<const Texture> (*)(const std::string&);
+  std::map<std::pair<std::string, Read>, std::shared_ptr<const Texture>> textures;
+  const auto texture = [&](const std::string& path, Read read) {
+    if (path.empty()) return std::shared_ptr<const Texture>();
+    const auto [known, is_new] = textures.try_emplace({path, read});
+    if (is_new) known->second = read(path);
+    return known->second;
+  };
   for (const Paint& paint : scene.paints) {
-    Look next{valid_color(paint.color), paint.glass, nullptr};
-    if (!paint.texture.empty()) {
-      const auto [known, is_new] = textures.try_emplace(paint.texture);
-      if (is_new) known->second = read_texture(paint.texture);
-      next.texture = known->second;
-      if (next.texture) next.color = next.texture->mean();
-    }
-    looks.push_back(next);
+    const Finish& finish = paint.finish;
+    const auto picture = texture(paint.texture, read_texture);
+    looks.push_back({valid_color(picture ? paint.tint : paint.color), paint.glass, picture,
+                     static_cast<float>(finish.roughness), static_cast<float>(finish.metallic),
+                     static_cast<float>(finish.relief), texture(finish.roughness_map, read_values),
+                     texture(finish.metallic_map, read_values),
+                     texture(finish.normal_map, read_values)});
   }
-  looks.push_back({valid_color(Paint{}.color), false, nullptr});
+  looks.push_back({valid_color(Paint{}.color), false, nullptr, 1, 0, 1, nullptr, nullptr, nullptr});
 }
 
 /// Those that can be drawn, and from their bounds the frame's origin.
@@ -93,7 +99,8 @@ void RayScene::find_triangles(const Scene& scene) {
 
 void RayScene::read_triangles(const Scene& scene) {
   bool has_texture = false;
-  for (const Look& l : looks) has_texture = has_texture || l.texture != nullptr;
+  for (const Look& l : looks)
+    has_texture = has_texture || l.texture || l.roughness_map || l.metallic_map || l.normal_map;
   has_texture = has_texture && scene.uvs.size() * 3 >= scene.points.size() * 2;
   const auto no_paint = static_cast<uint32_t>(looks.size() - 1);
   for (const uint32_t t : source) {
@@ -140,10 +147,41 @@ void RayScene::stand_on_ground() {
 Float3 RayScene::color_at(uint32_t triangle, float u, float v, float pixel) const {
   if (triangle == ground) return ground_color;
   const Look& seen = look_of(triangle);
-  if (!seen.texture || uvs_.empty()) return seen.color;
+  if (!seen.texture) return seen.color;
+  if (uvs_.empty()) return seen.color * seen.texture->mean();
+  return seen.color * seen.texture->at(uv_at(triangle, u, v), pixel * uvs_a_metre_[triangle]);
+}
+
+Vec2 RayScene::uv_at(uint32_t triangle, float u, float v) const {
   const Vec2* at = &uvs_[3 * std::size_t{triangle}];
-  const Vec2 uv = at[0] + (at[1] - at[0]) * u + (at[2] - at[0]) * v;
-  return seen.texture->at(uv, pixel * uvs_a_metre_[triangle]);
+  return at[0] + (at[1] - at[0]) * u + (at[2] - at[0]) * v;
+}
+
+RayScene::Gloss RayScene::gloss_at(uint32_t triangle, float u, float v, float pixel,
+                                   Float3 normal) const {
+  const Look& seen = look_of(triangle);
+  Gloss gloss{seen.roughness, seen.metallic, normal};
+  if (uvs_.empty()) return gloss;
+  const Vec2 uv = uv_at(triangle, u, v);
+  const float size = pixel * uvs_a_metre_[triangle];
+  if (seen.roughness_map) gloss.roughness *= seen.roughness_map->at(uv, size).y;
+  if (seen.metallic_map) gloss.metallic *= seen.metallic_map->at(uv, size).z;
+  if (!seen.normal_map) return gloss;
+  // The directions in which the picture runs on the surface, from the triangle's corners.
+  const std::size_t first = 3 * std::size_t{triangle};
+  const Float3 a = corners[first + 1] - corners[first], b = corners[first + 2] - corners[first];
+  const Vec2 ua = uvs_[first + 1] - uvs_[first], ub = uvs_[first + 2] - uvs_[first];
+  const double turn = cross(ua, ub);
+  if (turn == 0) return gloss;
+  const auto sign = static_cast<float>(turn > 0 ? 1 : -1);
+  const Float3 right =
+      normalized((a * static_cast<float>(ub.y) - b * static_cast<float>(ua.y)) * sign);
+  const Float3 up =
+      normalized((b * static_cast<float>(ua.x) - a * static_cast<float>(ub.x)) * sign);
+  const Float3 leaning = seen.normal_map->at(uv, size);
+  gloss.normal = normalized(normal + right * (seen.relief * (2 * leaning.x - 1)) +
+                            up * (seen.relief * (2 * leaning.y - 1)));
+  return gloss;
 }
 
 }  // namespace mansard

@@ -17,9 +17,16 @@ struct RayScene {
   static constexpr uint32_t sky = 0xffffffff, ground = 0xfffffffe;
 
   struct Look {
-    Float3 color;  ///< linear; of a texture, its mean
+    Float3 color;  ///< linear, colours the texture
     bool glass = false;
     std::shared_ptr<const Texture> texture;  ///< null for none
+    float roughness = 1, metallic = 0, relief = 1;
+    std::shared_ptr<const Texture> roughness_map, metallic_map, normal_map;  ///< null for none
+  };
+  /// How a place of a surface shines.
+  struct Gloss {
+    float roughness, metallic;
+    Float3 normal;  ///< leaning as the picture of normals says
   };
 
   std::vector<Float3> corners;   ///< three a triangle, in the world's frame
@@ -42,10 +49,13 @@ struct RayScene {
   /// The surface's colour where a pixel sees it: `u` and `v` are barycentric, `pixel` the size in
   /// metres of what the pixel covers.
   Float3 color_at(uint32_t triangle, float u, float v, float pixel) const;
+  /// Likewise; `normal` is the plain surface's. Not of the ground.
+  Gloss gloss_at(uint32_t triangle, float u, float v, float pixel, Float3 normal) const;
   const Look& look_of(uint32_t triangle) const { return looks[look[triangle]]; }
 
  private:
   void read_looks(const Scene& scene);
+  Vec2 uv_at(uint32_t triangle, float u, float v) const;
   void find_triangles(const Scene& scene);
   void read_triangles(const Scene& scene);
   void stand_on_ground();

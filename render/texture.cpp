@@ -19,6 +19,12 @@ std::array<float, 256> linear_from_srgb() {
   return table;
 }
 
+std::array<float, 256> parts_of_whole() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<float>(i) / 255;
+  return table;
+}
+
 }  // namespace
 
 Texture::Texture(int width, int height, std::vector<Float3> colors) {
@@ -64,8 +70,9 @@ Float3 Texture::at(Vec2 uv, float pixel) const {
   return mix(levels_[fine].at(uv), levels_[coarse].at(uv), level - static_cast<float>(fine));
 }
 
-std::shared_ptr<const Texture> read_texture(const std::string& path) {
-  static const std::array<float, 256> linear = linear_from_srgb();
+namespace {
+
+std::shared_ptr<const Texture> read(const std::string& path, const std::array<float, 256>& linear) {
   const Picture picture = read_picture(path);
   if (picture.rgb.empty()) return nullptr;
   std::vector<Float3> colors;
@@ -75,6 +82,18 @@ std::shared_ptr<const Texture> read_texture(const std::string& path) {
         {linear[picture.rgb[i]], linear[picture.rgb[i + 1]], linear[picture.rgb[i + 2]]});
   }
   return std::make_shared<Texture>(picture.width, picture.height, std::move(colors));
+}
+
+}  // namespace
+
+std::shared_ptr<const Texture> read_texture(const std::string& path) {
+  static const std::array<float, 256> linear = linear_from_srgb();
+  return read(path, linear);
+}
+
+std::shared_ptr<const Texture> read_values(const std::string& path) {
+  static const std::array<float, 256> parts = parts_of_whole();
+  return read(path, parts);
 }
 
 }  // namespace mansard

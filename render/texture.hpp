@@ -32,5 +32,7 @@ class Texture {
 
 /// Null when the file is missing or is no picture.
 std::shared_ptr<const Texture> read_texture(const std::string& path);
+/// Likewise of a picture whose pixels are no colours but numbers: normals, roughness.
+std::shared_ptr<const Texture> read_values(const std::string& path);
 
 }  // namespace mansard

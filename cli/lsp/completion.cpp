@@ -126,7 +126,11 @@ void Completer::in_entries(bool materials) {
        {},
        "texture(\"$1\", ${2:1}, ${3:1})",
        true});
+  add({"metres", operation, "metres(u, v)", {}, "metres(${1:1}, ${2:1})", true});
   add({"opacity", operation, "opacity(0 ... 1)", {}, "opacity(${1:0.4})", true});
+  add({"roughness", operation, "roughness(0 ... 1)", {}, "roughness(${1:0.5})", true});
+  add({"metallic", operation, "metallic(0 ... 1)", {}, "metallic(${1:1})", true});
+  add({"normals", operation, "normals(\"file\")", {}, "normals(\"$1\")", true});
 }
 
 void Completer::in_successor() {

@@ -59,6 +59,8 @@ void pivot(Context&, Length x, Length y, Length z);
 // look.cpp
 void color(Context&, std::string_view color);
 void texture(Context&, std::string_view file, std::optional<double> u, std::optional<double> v);
+void material(Context&, Value name);
+void uv(Context&, std::optional<double> across, std::optional<double> up, Option<double> turn);
 // control.cpp
 void label(Context&, std::string_view name);
 void occluder(Context&, Value hides);

@@ -48,7 +48,7 @@ Shape raised(const Shape& base, double height) {
   } else {
     solid.form = Form::prism;
   }
-  solid.uv_frame = Shape::none;
+  if (rises(base)) solid.uv_frame = Shape::none;  // relief goes on with its wall's
   return solid;
 }
 
@@ -100,7 +100,6 @@ Shape reveal(const Shape& outer, Vec3 origin, Vec3 x, Vec3 y, Vec2 size) {
   face.scope.y = outer.scope.direction(y);
   face.scope.z = outer.scope.direction(cross(x, y));
   face.scope.size = {size.x, size.y, 0};
-  face.uv_frame = Shape::none;
   return face;
 }
 

@@ -161,6 +161,11 @@ CONSTRUCTS = {
     "material taken": r"\b[A-Z]+ +- color",
     "opacity": r"\bopacity\(",
     "texture": r"\btexture\(",
+    "metres": r"\bmetres\(",
+    "roughness": r"\broughness\(\d",
+    "picture of roughness": r'\broughness\("',
+    "metallic": r"\bmetallic\(",
+    "normals": r"\bnormals\(",
     **{f"per {w}": rf'per "{w}"' for w in ("building", "shape", "[A-Z]+")},
 }
 # Comments are looked for with them left in.

@@ -18,8 +18,9 @@ TEST_CASE("every operation's example derives") {
     CHECK(operation.summary.ends_with('.'));
     if (operation.example.empty()) continue;
     ++examples;
-    const Script script = Script::text("style Manual { Test { var Height = 3   FOOTPRINT -> " +
-                                       std::string(operation.example) + " } }");
+    const Script script =
+        Script::text("style Manual { Test { var Height = 3   FOOTPRINT -> " +
+                     std::string(operation.example) + " } Materials { BRICK : color(\"tan\") } }");
     REQUIRE(script.good());
     const Building building = script.derive("rect:10x8", {.strict = true});
     CHECK(building.warnings.empty());

@@ -124,6 +124,37 @@ TEST_CASE("a picture made in bands has no seams") {
   }
 }
 
+TEST_CASE("metal mirrors the sky, matt paint does not, and tints colour a texture") {
+  const auto front = [](Paint paint) {
+    return color_at(render(box_scene({9, 6, 5}, paint), from({4.5, 3, 30}, {4.5, 3, 0})), 0.5, 0.5);
+  };
+  const Vec3 gray{0.2, 0.2, 0.2};
+  Finish polished;
+  polished.roughness = 0;
+  polished.metallic = 1;
+  Finish matt = polished;
+  matt.roughness = 1;
+  CHECK(front({gray, false, "", matt}) == front({gray, false, ""}));
+  CHECK(front({gray, false, "", polished}) != front({gray, false, ""}));
+  const std::string picture = std::string(MANSARD_ROOT) + "/tests/golden/check/pictures/gray.png";
+  const Color plain = front({{0, 0, 0}, false, picture, {}, {1, 1, 1}});
+  const Color red = front({{0, 0, 0}, false, picture, {}, {1, 0, 0}});
+  CHECK(plain[1] > red[1] + 40);
+  CHECK(red[0] > red[1] + 40);
+}
+
+TEST_CASE("what leans towards the sun is lighter") {
+  const auto front = [](const std::string& normals, double relief) {
+    Paint paint{{0.4, 0.4, 0.4}, false, "", {}};
+    paint.finish.normal_map = std::string(MANSARD_ROOT) + "/tests/golden/check/pictures/" + normals;
+    paint.finish.relief = relief;
+    return brightness(
+        color_at(render(box_scene({9, 6, 5}, paint), from({4.5, 3, 30}, {4.5, 3, 0})), 0.5, 0.5));
+  };
+  CHECK(front("upward.png", 1) > front("upward.png", 0) + 10);
+  CHECK(front("upward.png", 0) > 0);
+}
+
 TEST_CASE("an empty scene is ground and sky") {
   PictureOptions options = small();
   options.camera.view = Camera::View::street;
