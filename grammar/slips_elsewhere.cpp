@@ -188,7 +188,8 @@ std::string of_parts(const Scene& scene) {
 std::string of_materials(const Scene& scene) {
   const Stuck& stuck = scene.stuck;
   if (stuck.level != Level::materials || !is_name(stuck.word) || stuck.word == "per") return {};
-  const bool is_look = is_in(stuck.word, {"color", "texture", "metres", "opacity", "roughness", "metallic", "normals"});
+  const bool is_look = is_in(
+      stuck.word, {"color", "texture", "metres", "opacity", "roughness", "metallic", "normals"});
   const std::string name = is_look ? "WALL" : std::string(stuck.word);
   const bool head = stuck.wanted("':'") && (is_in(stuck.found, {"{", "->", "="}) ||
                                             is_in(stuck.found, {"color", "texture"}));

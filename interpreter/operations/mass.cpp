@@ -69,8 +69,7 @@ void extrude(Context& c, double height, std::optional<std::string_view> corners)
            "take its walls first: comp { side : FACADE }");
   }
   if (height == 0 || (!mass && c.machine.lod <= 2)) return c.become(c.shape);
-  if (auto band = mitre ? mitred(c.machine, c.shape, height) : std::nullopt)
-    return c.become(*band);
+  if (auto band = mitre ? mitred(c.machine, c.shape, height) : std::nullopt) return c.become(*band);
   Shape solid = raised(c.shape, height);
   solid.massive = mass;
   if (mass) {
