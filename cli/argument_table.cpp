@@ -75,6 +75,7 @@ constexpr std::array arguments{
     ArgumentRow{"mirror", "axis", "\"x\" (if nothing is said), \"y\" or \"z\""},
     ArgumentRow{"align", "to", "\"axes\" (y up), \"world\" or \"geometry\""},
     ArgumentRow{"color", "color", "\"#445566\", \"#456\", or a name of CSS: \"slategray\""},
+    ArgumentRow{"stain", "rate", "0, none, to 1: how dark and long the streaks are"},
     ArgumentRow{"texture", "file", "the picture, .png or .jpg, beside the script"},
     ArgumentRow{"texture", "u", "metres across of one repeat, more than 0; 1 if nothing is said"},
     ArgumentRow{"texture", "v", "metres up of one repeat, more than 0; as u if nothing is said"},

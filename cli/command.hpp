@@ -38,6 +38,7 @@ int run_explain(const Arguments&);
 int run_tree(const Arguments&);
 int run_render(const Arguments&);
 int run_vary(const Arguments&);
+int run_stains(const Arguments&);
 int run_lsp(const Arguments&);
 int run_help(const Arguments&);
 

@@ -117,6 +117,9 @@ constexpr auto vary_flags = joined(
     threads_flag, plots_flags, street_flags, derivation_flags,
     Flag{"--keep-going", "", "a picture that fails says why, the others are drawn; exit with 1"},
     printing_flags);
+constexpr std::array stains_flags{
+    Flag{"-o,--output", "STAINS.png", "the picture to write; derive takes stains.png"},
+    Flag{"--seed", "N", "another number, other stains (default 0)"}, threads_flag, quiet_flag};
 constexpr std::array help_flags{json_flag};
 constexpr std::array lsp_flags{path_flag};
 
@@ -161,6 +164,9 @@ constexpr std::array rows{
         "--sweep Tile.WindowWidth=0.6:1.4:0.2 --export variations -o sheet.png\nmansard vary "
         "terrace.style rect:6x10 --styles Terrace,TerraceWithSills --count 4 -o sheet.png",
         run_vary},
+    Command{"stains", "-o stains.png",
+            "makes the picture of rain streaks that stain() lays below sills and ledges", 0, 0,
+            stains_flags, "mansard stains --seed 7 -o stains.png", run_stains},
     Command{"lsp", "", "the language server for editors, on standard input and output", 0, 0,
             lsp_flags, "mansard lsp --style-path ../styles", run_lsp},
     Command{"help", "[TOPIC]",

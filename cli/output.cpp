@@ -9,7 +9,9 @@
 namespace mansard {
 namespace {
 
-Look look_of(const Material& m) { return {m.name, m.color, m.opacity, m.texture, m.finish}; }
+Look look_of(const Material& m) {
+  return {m.name, m.color, m.opacity, m.texture, m.finish, m.stains};
+}
 
 std::string key_of(const Material& m) {
   const Finish& f = m.finish;
@@ -79,8 +81,8 @@ bool is_glass(std::string_view name, double opacity) {
 std::vector<Paint> Looks::paints() const {
   std::vector<Paint> paints;
   for (const Look& l : looks_)
-    paints.push_back(
-        {linear(l.color), is_glass(l.name, l.opacity), l.texture, l.finish, linear(l.color)});
+    paints.push_back({linear(l.color), is_glass(l.name, l.opacity), l.texture, l.finish,
+                      linear(l.color), l.stains});
   return paints;
 }
 

@@ -130,7 +130,7 @@ Json to_json(const Look& look, Images& images) {
     normals["index"] = images.texture_of(look.finish.normal_map);
     if (look.finish.relief != 1) normals["scale"] = look.finish.relief;
   }
-  if (look.opacity < 1) material["alphaMode"] = "BLEND";
+  if (look.opacity < 1 || look.stains) material["alphaMode"] = "BLEND";
   return material;
 }
 

@@ -62,7 +62,7 @@ std::size_t write_mtl(const std::string& path, std::span<const Look> looks) {
     out.put("\n");
     put_line(out, "Kd", {look.color.x, look.color.y, look.color.z});
     put_line(out, "d", {look.opacity});
-    put_picture(out, "map_Kd", pictures, look.texture);
+    put_picture(out, look.stains ? "map_d" : "map_Kd", pictures, look.texture);
     put_finish(out, look, pictures);
   }
   out.commit();

@@ -20,6 +20,7 @@ struct Look {
   double opacity = 1;
   std::string texture;  ///< path of an existing picture that `color` colours, empty for none
   Finish finish = {};
+  bool stains = false;  ///< lies before another surface, as opaque as the picture is white
 
   bool has_pictures() const { return !texture.empty() || finish.has_pictures(); }
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
+#include "geometry/streaks.hpp"
 #include "grammar/diagnostic.hpp"
 #include "interpreter/axes.hpp"
 #include "interpreter/material.hpp"
@@ -110,6 +111,7 @@ struct Building {
   Surface surface;  ///< runs carry Program symbols, and materials: first the program's, then
                     ///< `materials`
   std::vector<Material> materials;     ///< looks that only this building has
+  std::vector<Drip> drips;             ///< what rain runs off, where stain() asks
   std::vector<TreeNode> tree;          ///< depth-first, only when DeriveOptions::keep_tree
   std::vector<Round> rounds;           ///< likewise
   std::vector<MeasuredPart> measures;  ///< likewise
@@ -129,6 +131,7 @@ struct Building {
     id.clear();
     surface.clear();
     materials.clear();
+    drips.clear();
     tree.clear();
     rounds.clear();
     measures.clear();

@@ -18,6 +18,7 @@ void Compiler::check_constants() {
   for (const Call& call : program_.calls) {
     attempt_anywhere([&] { check_axis(call); });
     attempt_anywhere([&] { check_roof(call); });
+    attempt_anywhere([&] { check_stain(call); });
     check_components(call, call.parts);
   }
   for (const Production& production : program_.productions) {

@@ -80,6 +80,7 @@ bool Compiler::run() {
   apply_settings();
   compile_pending();  // a setting can name a style that nothing else does
   intern_texts();
+  prepare_stains();
   for (CompiledStyle& style : program_.styles) {
     style.rules.resize(program_.symbols.size(), none);
     style.elements.resize(program_.symbols.size(), none);

@@ -198,6 +198,8 @@ class Compiler {
   void check_sizes(const Call& call);
   void check_picture(const Call& call);
   void check_material(const Call& call);
+  void prepare_stains();
+  void check_stain(const Call& call);
 
   /// Runs f; a Failure becomes a diagnostic with a note of where we are.
   template <class F>

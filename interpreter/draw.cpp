@@ -76,6 +76,7 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
   check_reach(shape, symbol);
   const uint32_t elements = program.styles[shape.style].elements[symbol];
   if (elements != none && rules_of(shape) == none && draw_element(shape, elements)) return;
+  if (program.stain_look != none) note_drip(shape, symbol);
   const uint32_t look = look_of(shape, symbol);
   const auto first = static_cast<uint32_t>(building->surface.polygons());
   switch (shape.form) {
@@ -303,6 +304,7 @@ bool Machine::draw_element(const Shape& shape, uint32_t number) {
   pooled.natural = box.size();
   Shape fitted = shape;
   if (fitted.scope.size.z < thin) fitted.scope.size.z = pooled.natural.z;
+  if (program.stain_look != none) note_drip(fitted, shape.symbol);
   const uint32_t look = look_of(shape, shape.symbol);
   if (cuts_meshes(shape)) {
     pooled.own = outlined(*this, shape, pooled, fitted.scope.size);

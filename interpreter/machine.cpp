@@ -36,6 +36,7 @@ void Machine::derive(const Footprint& input, Building& result) {
     if (keeps_tree) building->tree.push_back({start, Shape::none, false});
     stack_.push_back(start);
     derive_all();
+    if (!result.drips.empty()) draw_stains();
     for (SnapSplit& split : result.snap_splits) split.late = planes.any(split.to);
   } catch (Failure& failure) {
     explain(failure.diagnostic);

@@ -260,6 +260,13 @@ class Machine {
   void push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame, uint32_t look);
   void close_run(uint32_t symbol, uint32_t material);
   uint32_t look_of(const Shape& shape, uint32_t symbol) const;
+
+  // stains.cpp
+  double stain_rate(const Shape& shape, uint32_t symbol) const;
+  void note_drip(const Shape& shape, uint32_t symbol);
+  bool takes_stains(const Surface::Run& run) const;
+  void draw_stains();
+
   uint64_t stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
                      uint64_t salt) const;
 

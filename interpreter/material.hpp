@@ -16,6 +16,7 @@ struct Material {
   std::string texture;  ///< path of the picture that colours `color`, empty for none
   Vec2 metres{1, 1};    ///< of wall that one repeat of the pictures covers
   Finish finish = {};
+  bool stains = false;  ///< lies before another surface, as opaque as its picture is white
 
   bool has_pictures() const { return !texture.empty() || finish.has_pictures(); }
   friend bool operator==(const Material&, const Material&) = default;

@@ -180,6 +180,11 @@ constexpr std::array rows{
                 "Begins pictures anew at the shape's lower left corner: so many repeats across and "
                 "up it, else as many as their metres make; turned by degrees.",
                 "extrude(4) comp { side : uv(1, 1) SIGN }"),
+    row<op::stain>("look", "stain", "rate", without, "",
+                   "Lets rain that runs off sills, ledges and what the rule emits leave streaks on "
+                   "the walls below, from 0, none, to 1.",
+                   "extrude(4) stain(0.5) comp { front : subdiv(\"Y\", 2, 0.1, 1r) { WALL | "
+                   "extrude(0.08) { LEDGE } | WALL } | side : WALL }"),
     row<op::label>("context", "label", "name", without, "",
                    "Names the shape, for the tree and for later questions.",
                    "extrude(4) label(\"tower\") TOWER"),
@@ -208,8 +213,8 @@ constexpr std::array rows{
                   "Stops the building with a message of the style's own.", ""),
 };
 
-constexpr std::array<std::string_view, 6> later{"stain",     "union",  "subtract",
-                                                "intersect", "layers", "relayout"};
+constexpr std::array<std::string_view, 5> later{"union", "subtract", "intersect", "layers",
+                                                "relayout"};
 
 struct LaterWords {
   std::string_view parameter;

@@ -268,9 +268,14 @@ struct Program {
   std::vector<Material> materials;  ///< [0] is the plain one
   std::unordered_map<std::string, std::vector<uint32_t>> variables_by_property;  ///< slots
   std::deque<LinkedStyle> linked;
-  bool asks = false;           ///< some rule asks about other shapes
-  bool reads_corners = false;  ///< corner.left or corner.right
-  bool snaps = false;          ///< some split snaps, which asks, too
+  // ---- of stains; `none` and empty when no rule asks for them
+  uint32_t stain_look = none;        ///< in materials
+  uint32_t stain_symbol = none;      ///< of what they draw
+  std::vector<uint8_t> sheds_rain;   ///< by symbol: a sill or a ledge by its name
+  std::vector<uint8_t> stays_clean;  ///< by symbol: glass, a door
+  bool asks = false;                 ///< some rule asks about other shapes
+  bool reads_corners = false;        ///< corner.left or corner.right
+  bool snaps = false;                ///< some split snaps, which asks, too
 
   /// Where a value was written, in a script or on the command line; nowhere when it was computed.
   Span origin(const Value& value) const;

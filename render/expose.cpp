@@ -64,6 +64,8 @@ void expose_sample(Film& film, int x, int row, const RayScene& world, const Trac
   const float slant = std::max(0.25F, -dot(hit.normal, direction));
   const float pixel = 0.5F * film.pixel * hit.t / std::sqrt(slant);
   film.color[i] = world.color_at(hit.triangle, hit.u, hit.v, pixel);
+  if (const Hit stain = tracer.stain_before(film.lens.eye, ray, hit); !stain.is_sky())
+    film.color[i] = world.stained(film.color[i], stain.triangle, stain.u, stain.v, pixel);
   const Float3 point = film.lens.eye + ray * hit.t;
   film.light[i] = lighting.gather(point, hit.normal, Spread(x, film.top + row, samples), samples);
   if (hit.triangle == RayScene::ground) return;

@@ -19,7 +19,9 @@ struct Paint {
   bool glass = false;
   std::string texture;  ///< path of a picture, which `color` stands in for when it is missing
   Finish finish = {};
-  Vec3 tint{1, 1, 1};  ///< of the picture
+  Vec3 tint{1, 1, 1};   ///< of the picture
+  bool stains = false;  ///< lies before another surface, as opaque as the picture is white; casts
+                        ///< no shadow
 };
 
 /// Triangles to look at. Append, then render.

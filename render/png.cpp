@@ -40,16 +40,20 @@ void append(void* bytes, void* data, int size) {
 
 }  // namespace
 
-std::string encode_png(const Picture& picture) {
-  const bool is_complete = picture.width > 0 && picture.height > 0 &&
-                           picture.rgb.size() == std::size_t{3} *
-                                                     static_cast<std::size_t>(picture.width) *
-                                                     static_cast<std::size_t>(picture.height);
+std::string encode_png(int width, int height, int channels, const std::vector<uint8_t>& values) {
+  const bool is_complete = width > 0 && height > 0 &&
+                           values.size() == static_cast<std::size_t>(channels) *
+                                                static_cast<std::size_t>(width) *
+                                                static_cast<std::size_t>(height);
   std::string bytes;
   if (!is_complete) return bytes;
-  const bool done = stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3,
-                                           picture.rgb.data(), 3 * picture.width) != 0;
+  const bool done = stbi_write_png_to_func(append, &bytes, width, height, channels, values.data(),
+                                           channels * width) != 0;
   return done ? bytes : std::string();
+}
+
+std::string encode_png(const Picture& picture) {
+  return encode_png(picture.width, picture.height, 3, picture.rgb);
 }
 
 Picture read_picture(const std::string& path) {

@@ -10,4 +10,8 @@ namespace mansard {
 /// PNG, JPEG, BMP and TGA; without colours when the file is missing or broken.
 Picture read_picture(const std::string& path);
 
+/// The bytes of a PNG file of 1 to 4 channels a pixel, rows from the top; none when there are not
+/// as many values as pixels need.
+std::string encode_png(int width, int height, int channels, const std::vector<uint8_t>& values);
+
 }  // namespace mansard

@@ -1,5 +1,6 @@
 #include "render/ray_scene.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -42,14 +43,20 @@ Float3 valid_color(Vec3 color) {
 
 RayScene::RayScene(const Scene& scene) {
   read_looks(scene);
-  find_triangles(scene);
+  find_triangles(scene, Layer::surfaces);
   read_triangles(scene);
   stand_on_ground();
+  read_stains(scene);
 }
 
-RayScene::RayScene(const Scene& scene, const RayScene& frame) {
+RayScene::RayScene(const Scene& scene, const RayScene& frame)
+    : RayScene(scene, frame, Layer::surfaces) {
+  read_stains(scene);
+}
+
+RayScene::RayScene(const Scene& scene, const RayScene& frame, Layer layer) {
   read_looks(scene);
-  find_triangles(scene);
+  find_triangles(scene, layer);
   origin = frame.origin;
   read_triangles(scene);
   low = frame.low;
@@ -68,7 +75,7 @@ void RayScene::read_looks(const Scene& scene) {
   };
   for (const Paint& paint : scene.paints) {
     const Finish& finish = paint.finish;
-    const auto picture = texture(paint.texture, read_texture);
+    const auto picture = texture(paint.texture, paint.stains ? read_values : read_texture);
     looks.push_back({valid_color(picture ? paint.tint : paint.color), paint.glass, picture,
                      static_cast<float>(finish.roughness), static_cast<float>(finish.metallic),
                      static_cast<float>(finish.relief), texture(finish.roughness_map, read_values),
@@ -79,13 +86,15 @@ void RayScene::read_looks(const Scene& scene) {
 }
 
 /// Those that can be drawn, and from their bounds the frame's origin.
-void RayScene::find_triangles(const Scene& scene) {
+void RayScene::find_triangles(const Scene& scene, Layer layer) {
   // The frame's origin is a whole number of metres, so that the shift itself rounds nothing.
   const std::size_t count = scene.points.size() / 9;
   constexpr float infinite = std::numeric_limits<float>::infinity();
   Float3 least{infinite, infinite, infinite}, most = -least;
   for (std::size_t t = 0; t < count; ++t) {
-    if (!is_drawable(scene, t)) continue;
+    const bool is_stain = t < scene.paint.size() && scene.paint[t] < scene.paints.size() &&
+                          scene.paints[scene.paint[t]].stains;
+    if (is_stain != (layer == Layer::stains) || !is_drawable(scene, t)) continue;
     source.push_back(static_cast<uint32_t>(t));
     for (std::size_t k = 3 * t; k < 3 * t + 3; ++k) {
       const Float3 p = corner(scene, k);
@@ -119,6 +128,12 @@ void RayScene::read_triangles(const Scene& scene) {
         std::abs(cross(uvs_[first + 1] - uvs_[first], uvs_[first + 2] - uvs_[first]));
     uvs_a_metre_.push_back(static_cast<float>(std::sqrt(uv_area / area)));
   }
+}
+
+void RayScene::read_stains(const Scene& scene) {
+  if (std::ranges::none_of(scene.paints, &Paint::stains)) return;
+  stains.reset(new RayScene(scene, *this, Layer::stains));
+  if (stains->triangles() == 0) stains.reset();
 }
 
 void RayScene::stand_on_ground() {
@@ -182,6 +197,14 @@ RayScene::Gloss RayScene::gloss_at(uint32_t triangle, float u, float v, float pi
   gloss.normal = normalized(normal + right * (seen.relief * (2 * leaning.x - 1)) +
                             up * (seen.relief * (2 * leaning.y - 1)));
   return gloss;
+}
+
+Float3 RayScene::stained(Float3 color, uint32_t triangle, float u, float v, float pixel) const {
+  const Look& layer = stains->look_of(triangle);
+  if (!layer.texture || stains->uvs_.empty()) return color;
+  const Vec2 uv = stains->uv_at(triangle, u, v);
+  const Float3 dark = layer.texture->at(uv, pixel * stains->uvs_a_metre_[triangle]);
+  return mix(color, layer.color, dark.x);
 }
 
 }  // namespace mansard

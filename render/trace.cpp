@@ -74,6 +74,7 @@ struct Tracer::Embree {
 };
 
 Tracer::Tracer(const RayScene& world) : world_(world), embree_(std::make_unique<Embree>()) {
+  if (world.stains) stains_ = std::make_unique<Tracer>(*world.stains);
   if (world.triangles() == 0) return;
   // One thread builds, so that the tree, and with it what wins a tie, is always the same.
   embree_->device = rtcNewDevice("threads=1");
@@ -135,6 +136,16 @@ Hit Tracer::see(Float3 from, Float3 direction) const {
   const Float3* at = &world_.corners[3 * std::size_t{seen.triangle}];
   const Float3 normal = normalized(cross(at[1] - at[0], at[2] - at[0]));
   return {seen.triangle, first.t, dot(normal, direction) > 0 ? -normal : normal, seen.u, seen.v};
+}
+
+Hit Tracer::stain_before(Float3 from, Float3 direction, const Hit& seen) const {
+  constexpr float gap = 0.02F;  // metres
+  if (!stains_ || seen.triangle >= RayScene::ground) return {};
+  const float slant = std::max(1e-3F, -dot(seen.normal, direction));  // metres of gap a length
+  Hit first = stains_->hit(from, direction);
+  const bool is_there =
+      first.triangle < RayScene::ground && first.t < seen.t && (seen.t - first.t) * slant < gap;
+  return is_there && dot(first.normal, seen.normal) > 0.99F ? first : Hit{};
 }
 
 bool Tracer::is_blocked(Float3 from, Float3 direction) const {

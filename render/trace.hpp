@@ -28,6 +28,8 @@ class Tracer {
   /// Likewise, but of surfaces that lie in one plane always the same one is seen: the one that
   /// faces the eye, and of those the last drawn.
   Hit see(Float3 from, Float3 direction) const;
+  /// The stain just before what was hit on the same ray; sky for none.
+  Hit stain_before(Float3 from, Float3 direction, const Hit& seen) const;
   /// Whether a triangle is in the way; the ground never is.
   bool is_blocked(Float3 from, Float3 direction) const;
 
@@ -35,6 +37,7 @@ class Tracer {
   struct Embree;
   const RayScene& world_;
   std::unique_ptr<Embree> embree_;
+  std::unique_ptr<Tracer> stains_;  ///< of the world's stains, when it has any
 };
 
 }  // namespace mansard

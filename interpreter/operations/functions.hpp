@@ -61,6 +61,7 @@ void color(Context&, std::string_view color);
 void texture(Context&, std::string_view file, std::optional<double> u, std::optional<double> v);
 void material(Context&, Value name);
 void uv(Context&, std::optional<double> across, std::optional<double> up, Option<double> turn);
+void stain(Context&, double rate);
 // control.cpp
 void label(Context&, std::string_view name);
 void occluder(Context&, Value hides);

@@ -1,5 +1,6 @@
-// Colour and texture: inherited by all that is derived from the shape.
+// Colour, texture and stains: inherited by all that is derived from the shape.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "interpreter/component.hpp"
@@ -7,6 +8,7 @@
 #include "interpreter/operations/functions.hpp"
 #include "interpreter/picture.hpp"
 #include "interpreter/selectors.hpp"
+#include "interpreter/stains.hpp"
 
 namespace mansard {
 namespace {
@@ -101,6 +103,14 @@ void uv(Context& c, std::optional<double> across, std::optional<double> up, Opti
   }
   c.shape.uv_frame = static_cast<uint32_t>(c.machine.uv_frames.size());
   c.machine.uv_frames.push_back(frame);
+}
+
+void stain(Context& c, double rate) {
+  if (!is_stain_rate(rate)) c.fail(0, wrong_stain_rate(rate), std::string(stain_rate_help));
+  const std::array said{Value::of(rate), Value::of(double(c.shape.depth))};
+  const Value kept = Value::of(std::span(c.machine.keep(said), said.size()));
+  c.machine.settings.push_back({stain_setting, c.shape.settings, kept});
+  c.shape.settings = static_cast<uint32_t>(c.machine.settings.size() - 1);
 }
 
 }  // namespace operation
