@@ -23,8 +23,7 @@ void DiskMeshes::keep_within(const Library& library) {
   for (const syntax::File& file : library.read_files())
     folders.push_back(Library::folder_of({file.source, 0, 0}));
   std::ranges::sort(folders);
-  const auto again = std::ranges::unique(folders);
-  folders.erase(again.begin(), again.end());
+  folders.erase(std::unique(folders.begin(), folders.end()), folders.end());
   const std::scoped_lock lock(mutex_);
   folders_ = std::move(folders);
 }

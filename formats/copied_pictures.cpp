@@ -61,7 +61,7 @@ const std::string& CopiedPictures::name_of(const std::string& path) {
 }
 
 std::string CopiedPictures::put(const std::string& file, const std::string& bytes) {
-  const std::string name = free_name(file);
+  std::string name = free_name(file);
   OutputFile out((folder_ / name).string());
   out.put(bytes);
   out.commit();
