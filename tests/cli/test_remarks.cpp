@@ -97,8 +97,10 @@ TEST_CASE("parts that were cut are told with the rules that cut them") {
   const std::string note =
       "note: 4 parts of splits were cut for want of room: 2 in 'FACE' (house.style:4), 2 in "
       "'FACADE' (house.style:3)\n";
-  for (const char* const command : {"derive", "render", "tree"})
-    CHECK_MESSAGE(has(desk.said(command), note), desk.said(command));
+  for (const char* const command : {"derive", "render", "tree"}) {
+    const std::string told = desk.said(command);
+    CHECK_MESSAGE(has(told, note), told);
+  }
 }
 
 TEST_CASE("render warns of what derive warns of") {
