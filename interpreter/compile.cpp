@@ -98,6 +98,7 @@ bool Compiler::run() {
   check_constants();
   check_questions();
   check_snapping();
+  if (diagnostics_.has_errors()) return false;  // what was refused has no body to look through
   find_waiting();
   if (diagnostics_.has_errors()) return false;
   if (options_.all_styles && library_.main_file()) {
