@@ -22,6 +22,8 @@ constexpr Flag where_flag{"--where", "CONDITION",
                           "only footprints for which this SQL condition holds"};
 constexpr Flag select_flag{"--select", "id=ID", "only this footprint", true};
 constexpr Flag limit_flag{"--limit", "N", "only the first N footprints"};
+constexpr Flag small_flag{"--drop-small", "",
+                          "leaves out footprints under a tenth of the mean area: sheds, splinters"};
 constexpr Flag streets_flag{"--streets", "FILE",
                             "lines of streets, of a GIS file or WKT:LINESTRING(...): the walls "
                             "that look at one are street walls"};
@@ -43,7 +45,8 @@ constexpr Flag threads_flag{"--threads", "N", "how many threads (default: all)"}
 constexpr std::array variation_flags{style_flag, seed_flag, set_flag, attr_flag, lod_flag};
 constexpr std::array one_plot_flags{select_flag, id_flag, layer_flag, where_flag};
 constexpr std::array street_flags{streets_flag, streets_layer_flag, streets_where_flag};
-constexpr std::array plots_flags{select_flag, limit_flag, id_flag, layer_flag, where_flag};
+constexpr std::array plots_flags{select_flag, limit_flag, small_flag,
+                                 id_flag,     layer_flag, where_flag};
 constexpr std::array derivation_flags{path_flag, depth_flag, shapes_flag, strict_flag};
 constexpr std::array printing_flags{json_flag, quiet_flag, color_flag};
 

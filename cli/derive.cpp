@@ -61,7 +61,7 @@ int Derive::run() {
   const DeriveOptions options = derive_options(arguments_, program, models_.targets.front().lod);
   const std::string comment = model_comment(program, set_, options);
   for (const ModelTarget& target : models_.targets)
-    levels_.emplace_back(program, target, models_, comment);
+    levels_.emplace_back(program, target, models_, comment).report.dropped = set_.small.size();
   std::optional<OutputFile> report_file;  // a folder that is missing is said before the work
   if (const auto path = arguments_.value("--report")) report_file.emplace(*path);
   symbols_ = symbol_names(program);
@@ -112,7 +112,7 @@ void Derive::use(Level& level, Derived& derived) {
     return level.report.add_failure(building.id, *derived.error);
   }
   level.looks.adopt(building);
-  level.report.add(building);
+  level.report.add(building, derived.footprint->polygon);
   const Program& program = session_.program();
   level.writer->add({building.id, &building.surface, program.styles[program.main_style].name,
                      derived.footprint->properties},

@@ -5,8 +5,11 @@
 
 namespace mansard {
 
-void Report::add(const Building& building) {
+void Report::add(const Building& building, const Polygon& footprint) {
   ++buildings;
+  walls += footprint.tags.size();
+  party_walls += static_cast<std::size_t>(
+      std::ranges::count_if(footprint.tags, [](EdgeTag tag) { return tag.has(EdgeTag::party); }));
   shapes += building.shapes;
   operations += building.operations;
   polygons += building.surface.polygons();
@@ -61,6 +64,9 @@ void Report::write(OutputFile& file, std::span<const LevelReport> levels) const 
   json["buildings"] = buildings;
   json["failed"] = ordered_json::array();
   for (const auto& [id, text] : failures_) json["failed"].push_back({{"id", id}, {"error", text}});
+  json["dropped_small"] = dropped;
+  json["walls"] = walls;
+  json["party_walls"] = party_walls;
   json["shapes"] = shapes;
   json["operations"] = operations;
   json["polygons"] = polygons;

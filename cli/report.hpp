@@ -27,13 +27,15 @@ class Report {
  public:
   explicit Report(const Program& program)
       : program_(program), terminals_(program.symbols.size()), areas_(program.symbols.size()) {}
-  void add(const Building& building);
+  void add(const Building& building, const Polygon& footprint);
   void add_failure(const std::string& id, const Diagnostic& diagnostic);
   /// `levels` are the models that were written, this report's among them.
   void write(OutputFile& file, std::span<const LevelReport> levels) const;
 
   std::size_t shapes = 0, operations = 0, polygons = 0, vertices = 0, buildings = 0;
   std::size_t parts_cut = 0, unmatched = 0;
+  std::size_t walls = 0, party_walls = 0;  ///< edges of footprints
+  std::size_t dropped = 0;                 ///< footprints left out as too small
   RoofTroubles roofs;
 
  private:

@@ -196,6 +196,14 @@ std::vector<StreetLine> streets(const Session& session, const FootprintSet& set,
   return std::move(read.lines);
 }
 
+void say_dropped(const Session& session, const FootprintSet& set) {
+  char bound[32];
+  std::snprintf(bound, sizeof bound, "%.1f", set.least_area);
+  session.say(std::to_string(set.small.size()) +
+              (set.small.size() == 1 ? " footprint" : " footprints") + " under " + bound +
+              " square metres, a tenth of the mean, left out");
+}
+
 }  // namespace
 
 FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
@@ -205,6 +213,10 @@ FootprintSet footprints(const Session& session, const std::string& what, const A
   const auto select = std::exchange(options.select, {});
   const std::size_t limit = std::exchange(options.limit, 0);
   FootprintSet set = read_footprints(what, options);
+  if (arguments.has("--drop-small")) {
+    drop_small(set);
+    say_dropped(session, set);
+  }
   mark_neighbours(set.footprints, streets(session, set, arguments));
   choose_footprints(set, select, limit);
   if (session.compiled()) {

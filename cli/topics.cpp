@@ -207,7 +207,8 @@ what is read, --select id=ID and --limit N what is derived, --attr gives every f
 
 The id is --id's property, else osm_id, the feature's id, id, or its place in the file; with --seed it
 decides every draw. Crossing rings are repaired with a note; what can not be repaired is an error, or left
-out under --keep-going.)"},
+out under --keep-going. --drop-small leaves out what has less than a tenth of the mean area, before party
+walls are found; the mean is that of all that is read, whatever is selected.)"},
     Topic{
         "output", "What derive writes",
         R"(An OBJ with its MTL beside it, textures copied beside them: an object o for each building, named by its

@@ -157,6 +157,10 @@ void check_choice(const FootprintSet& set, const std::string& choice) {
   const auto chosen = [&](const auto& x) { return is_chosen(x.id, choice); };
   if (std::any_of(set.footprints.begin(), set.footprints.end(), chosen)) return;
   if (std::any_of(set.notes.begin(), set.notes.end(), chosen)) return;  // broken, and said so
+  if (std::any_of(set.small.begin(), set.small.end(),
+                  [&](const std::string& id) { return is_chosen(id, choice); }))
+    fail("footprint '" + choice + "' has less than a tenth of the mean area and is left out",
+         "derive it without --drop-small");
   std::vector<std::string_view> ids;
   for (const Footprint& footprint : set.footprints) ids.push_back(footprint.id);
   const auto near = nearest(choice, ids);
@@ -188,6 +192,21 @@ FootprintSet read_footprints(const std::string& what, const FootprintOptions& op
   FootprintSet set = Building(read_raw(what, options), options).footprints();
   choose_footprints(set, options.select, options.limit);
   return set;
+}
+
+void drop_small(FootprintSet& set, double share) {
+  double sum = 0;
+  for (const Footprint& footprint : set.footprints) sum += area(footprint.polygon);
+  set.least_area =
+      share * sum / static_cast<double>(std::max<std::size_t>(set.footprints.size(), 1));
+  std::unordered_set<std::string> dropped;
+  std::erase_if(set.footprints, [&](const Footprint& footprint) {
+    if (area(footprint.polygon) >= set.least_area) return false;
+    set.small.push_back(footprint.id);
+    dropped.insert(footprint.id);
+    return true;
+  });
+  std::erase_if(set.notes, [&](const FootprintNote& note) { return dropped.count(note.id) > 0; });
 }
 
 void choose_footprints(FootprintSet& set, const std::vector<std::string>& select,

@@ -40,6 +40,8 @@ struct FootprintSet {
   std::string origin;  ///< how to get back: "local metres about lon 24.94, lat 60.17 (EPSG:4326)"
   Vec2 shift;          ///< projected input: what was subtracted
   Georeference reference;
+  std::vector<std::string> small;  ///< ids that drop_small left out
+  double least_area = 0;           ///< square metres: they had less
 };
 
 /// `what` is a path, or a literal: `rect:10x8`, `L:12x9x5x4`, `T:…`, `U:…`, `ring:…`, `WKT:…`.
@@ -48,6 +50,11 @@ struct FootprintSet {
 /// be read at all: no such file, a format GDAL does not know, a literal that is not one (the
 /// message says what is).
 FootprintSet read_footprints(const std::string& what, const FootprintOptions& options);
+
+/// Leaves out footprints of less than `share` of the mean area of all, and their notes: sheds,
+/// garages and splinters of a map. Before party walls are marked: nobody shares a wall with what is
+/// not built.
+void drop_small(FootprintSet& set, double share = 0.1);
 
 /// Keeps the footprints with the ids of `select` (`a` also means its further parts a:2, a:3; empty:
 /// all), of these the first `limit` (0: all), and their notes. read_footprints does it too, but

@@ -77,6 +77,37 @@ TEST_CASE("a model appears whole or not at all") {
   CHECK(run({"derive", box, "rect:10x8", "-o", folder / "no/such/folder/model.obj"}).status == 1);
 }
 
+TEST_CASE("small footprints are left out when asked, before party walls are found") {
+  const TemporaryFolder folder;
+  const std::string houses =
+      "WKT:MULTIPOLYGON(((0 0,10 0,10 10,0 10,0 0)),((10 0,20 0,20 10,10 10,10 0)),"
+      "((20 0,22 0,22 2,20 2,20 0)))";
+  const auto report = [&](const std::vector<std::string>& flags, const std::string& err) {
+    std::vector<std::string> words{
+        "derive", box, houses, "-o", folder / "model.obj", "--report", folder / "report.json"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const Run all = run(words);
+    CHECK(all.status == 0);
+    CHECK(all.err.find(err) != std::string::npos);
+    return json::parse(contents(folder / "report.json"));
+  };
+  const json all = report({}, "3 buildings");
+  CHECK(all["dropped_small"] == 0);
+  CHECK(all["walls"] == 13);  // the shed's neighbour has two on its east side
+  CHECK(all["party_walls"] == 4);
+  const json large = report({"--drop-small"},
+                            "1 footprint under 6.8 square metres, a tenth of the mean, left out");
+  CHECK(large["buildings"] == 2);
+  CHECK(large["dropped_small"] == 1);
+  CHECK(large["walls"] == 8);
+  CHECK(large["party_walls"] == 2);
+  CHECK(report({"--drop-small", "--limit", "1"}, "1 building,")["party_walls"] == 1);
+  const Run shed =
+      run({"derive", box, houses, "--drop-small", "--select", "id=0:3", "-o", folder / "shed.obj"});
+  CHECK(shed.status == 1);
+  CHECK(shed.err.find("'0:3' has less than a tenth of the mean area") != std::string::npos);
+}
+
 TEST_CASE("nothing that is read is written over, and no device replaced") {
   const TemporaryFolder folder;
   const char* const corners = "v 0 0 0\nv 0 0 9\nv 9 0 9\nv 9 0 0\nf 1 2 3 4\n";
