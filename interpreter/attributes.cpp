@@ -113,7 +113,8 @@ double Machine::attribute_number(Attribute which, const Shape& s) {
 
 Value Machine::attribute(Attribute which, const Shape* shape, uint32_t id) {
   if (!shape) fail(program.spans[id], "there is no shape to read here");
-  if (measuring) measurer_->note_read(which, *shape, id);
+  reads |= 1u << static_cast<int>(which);
+  if (measuring) measurer_->check_read(which, *shape, id);
   switch (which) {
     case Attribute::is_rectangle:
       return Value::of(shape->form == Form::rectangle ||

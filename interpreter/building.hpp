@@ -123,6 +123,7 @@ struct Building {
   std::vector<std::string> printed;  ///< by print()
   std::vector<Diagnostic> warnings;
   std::size_t shapes = 0, operations = 0;
+  std::size_t copied = 0;     ///< of the shapes, those of parts that were derived before
   std::size_t parts_cut = 0;  ///< split parts cut or left out for want of room
   std::size_t unmatched = 0;  ///< shapes for which no production was a candidate
   RoofTroubles roofs;
@@ -142,7 +143,7 @@ struct Building {
     report.clear();
     printed.clear();
     warnings.clear();
-    shapes = operations = parts_cut = unmatched = 0;
+    shapes = operations = copied = parts_cut = unmatched = 0;
     roofs = {};
   }
 };

@@ -3,7 +3,6 @@
 
 #include "interpreter/indices.hpp"
 #include "interpreter/machine.hpp"
-#include "interpreter/measure.hpp"
 #include "interpreter/messages.hpp"
 
 namespace mansard {
@@ -52,7 +51,7 @@ const Production* Machine::choose(const RuleSet& rules, const Shape& shape, Env&
       continue;
     }
     if (found == 1) return candidates[0].first;
-    if (measuring) measurer_->note_draw();
+    reads |= read_bits::chance;
     double draw = unit_interval(mix(outer.draws, hash_of("production"))) * total;
     for (std::size_t i = 0; i + 1 < found; ++i) {
       if (draw < candidates[i].second) return candidates[i].first;

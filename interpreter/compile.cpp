@@ -3,6 +3,7 @@
 #include "interpreter/compiler.hpp"
 #include "interpreter/lint.hpp"
 #include "interpreter/messages.hpp"
+#include "interpreter/placeable.hpp"
 #include "interpreter/random.hpp"
 #include "interpreter/selectors.hpp"
 
@@ -101,10 +102,18 @@ bool Compiler::run() {
   if (diagnostics_.has_errors()) return false;  // what was refused has no body to look through
   find_waiting();
   if (diagnostics_.has_errors()) return false;
+  find_placeable();
   if (options_.all_styles && library_.main_file()) {
     lint(program_, *library_.main_file(), diagnostics_);
   }
   return true;
+}
+
+void Compiler::find_placeable() {
+  std::vector<std::vector<bool>> placeable = placeable_symbols(program_);
+  for (std::size_t i = 0; i < placeable.size(); ++i) {
+    program_.styles[i].placeable = std::move(placeable[i]);
+  }
 }
 
 void Compiler::compile_pending() {

@@ -145,6 +145,7 @@ class Compiler {
   // questions.cpp
   void intern_texts();
   void find_waiting();
+  void find_placeable();
   void check_questions();
   void check_question(ExprId id, std::span<const std::string_view> labels);
   void check_cover_word(const ExprNode& comparison);

@@ -16,6 +16,7 @@ struct DeriveOptions {
   std::size_t max_shapes = 5'000'000;  ///< a building
   bool strict = false;                 ///< no candidate production is an error
   bool keep_tree = false;
+  bool share_parts = true;  ///< false: nothing is copied; slower, and the same to the last bit
 };
 
 /// One a thread; keeps its pools from building to building, so that after the first few nothing is

@@ -40,6 +40,7 @@ const Material& Machine::material(uint32_t number) const {
 }
 
 uint32_t Machine::add_material(const Material& material) {
+  reads |= read_bits::building;
   for (std::size_t i = 0; i < building->materials.size(); ++i) {
     if (building->materials[i] == material)
       return static_cast<uint32_t>(program.materials.size() + i);
@@ -50,7 +51,7 @@ uint32_t Machine::add_material(const Material& material) {
 
 /// A look chosen in the very rule that emitted the terminal beats Materials; one inherited from
 /// above does not (as inline and inherited styles in CSS).
-uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) const {
+uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) {
   const uint32_t table = program.styles[shape.style].materials[symbol];
   if (table == none) return shape.material;
   const bool direct = shape.look_by != Shape::none &&
@@ -60,9 +61,10 @@ uint32_t Machine::look_of(const Shape& shape, uint32_t symbol) const {
 }
 
 /// One alternative by weight.
-uint32_t Machine::draw_material(uint32_t table, const Shape& shape) const {
+uint32_t Machine::draw_material(uint32_t table, const Shape& shape) {
   const MaterialTable& materials = program.material_tables[table];
   if (materials.materials.size() == 1) return materials.materials[0];
+  reads |= materials.per == VariableSlot::Per::building ? read_bits::building : read_bits::chance;
   double draw =
       unit_interval(stream_of(materials.per, materials.per_symbol, shape, materials.salt)) *
       materials.total;
@@ -126,11 +128,15 @@ void Machine::close_run(uint32_t symbol, uint32_t look) {
     fail({}, "more than " + std::to_string(options.max_shapes * 16) + " polygons in one building",
          "--max-shapes allows more");
   }
-  if (!surface.runs.empty() && surface.runs.back().symbol == symbol &&
-      surface.runs.back().material == look) {
-    surface.runs.back().end = end;
+  add_run(symbol, look, end);
+}
+
+void Machine::add_run(uint32_t symbol, uint32_t look, uint32_t end) {
+  std::vector<Surface::Run>& runs = building->surface.runs;
+  if (!runs.empty() && runs.back().symbol == symbol && runs.back().material == look) {
+    runs.back().end = end;
   } else {
-    surface.runs.push_back({symbol, look, end});
+    runs.push_back({symbol, look, end});
   }
 }
 
@@ -177,6 +183,7 @@ void Machine::push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& 
   }
   surface.ends.push_back(static_cast<uint32_t>(surface.points.size()));
   surface.normals.push_back(normal);
+  placer_.note_polygon(frame.number);
 }
 
 /// Adds a planar polygon.
@@ -267,6 +274,7 @@ void Machine::draw_mesh(const Shape& shape, uint32_t look, const PooledMesh& poo
     const std::size_t before = surface.uvs.size();
     push_polygon(loop_, shape, face_look);
     if (own_look && !mesh.uvs.empty() && surface.uvs.size() > before) {
+      placer_.forget_texture();
       for (std::size_t i = 0; i < loop_.size(); ++i) {
         surface.uvs[before + i] = mesh.uvs[turned ? face.end - 1 - i : face.begin + i];
       }
@@ -293,6 +301,7 @@ const ElementTable::Choice& Machine::choose_element(const ElementTable& table, c
 bool Machine::draw_element(const Shape& shape, uint32_t number) {
   const ElementTable& table = program.element_tables[number];
   if (table.choices.empty() || shape.form == Form::line) return false;
+  if (table.choices.size() > 1) reads |= read_bits::chance;
   const ElementTable::Choice& choice = choose_element(table, shape);
   const std::size_t level = lod >= 3 ? 0 : choice.meshes.size() - 1;
   const Mesh* const mesh = choice.meshes[level];

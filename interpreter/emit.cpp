@@ -100,6 +100,7 @@ void Machine::emit(const Step& s, uint32_t symbol, uint32_t style, const Shape& 
          "does a rule call itself without end? --max-shapes allows more");
   }
   if (keeps_tree) building->tree.push_back({child, expanding, false});
+  placer_.note_depth(child.depth);
   const uint32_t rules = rules_of(child);
   if (program.asks && (rules == none || !program.rule_sets[rules].waits)) show(child, false);
   if (rules == none) {
@@ -126,6 +127,7 @@ void Machine::check_arguments(const Step& s, const RuleSet& rules, const Shape& 
 
 void Machine::finish(Shape& shape) {
   ++building->terminals[shape.symbol];
+  placer_.note_terminal(shape.symbol);
   if (keeps_tree) building->tree[shape.node].terminal = true;
   if (program.asks && is_solid(shape)) mark_active(shape);
   draw(shape, shape.symbol);
@@ -135,6 +137,7 @@ void Machine::finish_early(Shape& piece) {
   ++emitted;
   ++building->shapes;
   ++building->terminals[piece.symbol];
+  placer_.note_terminal(piece.symbol);
   if (program.asks) show(piece, true);
   draw(piece, piece.symbol);
   piece.form = Form::nothing;

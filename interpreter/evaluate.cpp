@@ -211,7 +211,8 @@ void Machine::count_call(uint32_t id) {
 
 Value Machine::call_function(const ExprNode& node, uint32_t id, const Env& env) {
   const Function& function = functions()[node.aux];
-  if (measuring) measurer_->note_call(function, id);
+  if (function.random) reads |= read_bits::chance;
+  if (measuring) measurer_->check_call(function, id);
   std::array<Value, 8> few;
   Value* const values = node.count <= few.size() ? few.data() : values_.take(node.count);
   for (uint32_t i = function.each ? 1 : 0; i < node.count; ++i) {

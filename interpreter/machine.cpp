@@ -14,8 +14,10 @@ Machine::Machine(const Program& p, MeshSource& meshes, const DeriveOptions& o)
       options(o),
       mesh_source(meshes),
       counts_(p.symbols.size()),
+      placer_(*this),
       variable_values_(p.variables.size()),
       variable_known_(p.variables.size(), 0),
+      variable_varies_(p.variables.size(), false),
       property_values_(p.properties.size(), nullptr),
       property_known_(p.properties.size(), 0),
       variable_property_(p.variables.size(), none) {}
@@ -60,6 +62,16 @@ void Machine::derive_all() {
   }
 }
 
+void Machine::derive_below(Shape& shape) {
+  const std::size_t below = stack_.size();
+  replace(shape);
+  while (stack_.size() > below) {
+    Shape next = stack_.back();
+    stack_.pop_back();
+    expand(next);
+  }
+}
+
 void Machine::reset(const Footprint& input, Building& result) {
   footprint = &input;
   building = &result;
@@ -98,6 +110,8 @@ void Machine::reset(const Footprint& input, Building& result) {
   size_values.clear();
   measuring = false;
   if (measurer_) measurer_->reset();
+  placer_.reset(options.share_parts);
+  reads = 0;
   ++building_number_;
   building_seed_ = mix(options.seed, hash_of(input.id));
   for (const uint32_t slot : overridden_) variable_property_[slot] = none;
@@ -163,6 +177,7 @@ uint32_t Machine::rules_of(const Shape& shape) const {
 void Machine::expand(Shape& shape) {
   const uint32_t rule_set = rules_of(shape);
   if (rule_set != none && program.rule_sets[rule_set].waits) return waiting_.push_back(shape);
+  if (placer_.takes(shape)) return placer_.place(shape);
   replace(shape);
 }
 
@@ -192,7 +207,9 @@ void Machine::rewrite(const RuleSet& rules, uint32_t rule_set, Shape& shape, Env
     return;
   }
   const uint32_t rules_before = current_rules_;
-  ++building->taken[static_cast<std::size_t>(chosen - program.productions.data())];
+  const auto number = static_cast<uint32_t>(chosen - program.productions.data());
+  ++building->taken[number];
+  placer_.note_taken(number);
   production = chosen;
   current_rules_ = rule_set;
   bind_index(*chosen, rules, shape, env);
@@ -325,7 +342,7 @@ uint32_t Machine::borrow_mesh(const Mesh& mesh) {
 
 void Machine::frame_uvs(Shape& shape) {
   shape.uv_frame = static_cast<uint32_t>(uv_frames.size());
-  uv_frames.push_back(frame_on(shape.scope));
+  add_frame(shape, frame_on(shape.scope));
 }
 
 Derivation::Derivation(const Program& program, MeshSource& meshes, const DeriveOptions& options)

@@ -12,6 +12,7 @@
 #include "interpreter/derivation.hpp"
 #include "interpreter/group.hpp"
 #include "interpreter/operation.hpp"
+#include "interpreter/placer.hpp"
 #include "interpreter/pool.hpp"
 #include "interpreter/program.hpp"
 #include "interpreter/random.hpp"
@@ -49,7 +50,10 @@ struct PooledMesh {
 /// Where a texture starts and runs on a wall: from `origin` along u and v, by their length.
 struct UvFrame {
   Vec3 origin, u, v, normal;
-  bool in_repeats = false;  ///< u and v count repeats, not metres
+  Vec3 shift_u = u, shift_v = v;  ///< what u and v of a face grow by as it moves and the wall stays
+  bool in_repeats = false;        ///< u and v count repeats, not metres
+  bool level = false;             ///< heights count from the foot of the building
+  uint32_t number = none;         ///< in the pool; none for a frame that belongs to one shape
 };
 
 /// A value given by set(), newest first.
@@ -92,7 +96,7 @@ class Machine {
   void frame_uvs(Shape& shape);
   UvFrame frame_on(const Scope& face) const;
   /// The number of a material of the table, drawn for the shape.
-  uint32_t draw_material(uint32_t table, const Shape& shape) const;
+  uint32_t draw_material(uint32_t table, const Shape& shape);
 
   // ---- derivation
   void run(BodyId body, Shape& shape, const Env& env);
@@ -129,7 +133,7 @@ class Machine {
   // ---- sizes ':' (measure.hpp)
   Measurer& measurer();
   bool measuring = false;  ///< shapes are of unknown size along an axis (NaN), and nothing is drawn
-  uint32_t reads = 0;      ///< attributes read since measuring began, as bits; see Measurer
+  uint32_t reads = 0;      ///< what was looked at, as read_bits; see Measurer and Placer
 
   /// How the shapes that the rule emits are numbered.
   struct Siblings {
@@ -216,6 +220,8 @@ class Machine {
   Shape footprint_shape();
   void expand(Shape& shape);
   void replace(Shape& shape);
+  /// Expands the shape, and all that comes of it, now.
+  void derive_below(Shape& shape);
   void derive_all();
   void answer_round();
   void mark_active(const Shape& shape);
@@ -259,7 +265,9 @@ class Machine {
   void push_polygon(std::span<const Vec3> loop, const Shape& shape, uint32_t look);
   void push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame, uint32_t look);
   void close_run(uint32_t symbol, uint32_t material);
-  uint32_t look_of(const Shape& shape, uint32_t symbol) const;
+  /// Polygons up to `end` look the same.
+  void add_run(uint32_t symbol, uint32_t material, uint32_t end);
+  uint32_t look_of(const Shape& shape, uint32_t symbol);
 
   // stains.cpp
   double stain_rate(const Shape& shape, uint32_t symbol) const;
@@ -269,6 +277,10 @@ class Machine {
 
   uint64_t stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
                      uint64_t salt) const;
+
+  uint32_t parent_of(const Shape& shape) const { return nodes_[shape.node].parent; }
+  /// A hash of its arguments and of what set() gave it and its ancestors.
+  uint64_t inherited_values(const Shape& shape) const;
 
   std::vector<Shape> stack_;
   std::vector<Shape> waiting_;
@@ -281,6 +293,7 @@ class Machine {
   Siblings siblings_;
   std::vector<std::pair<uint32_t, uint32_t>> sibling_counts_;  ///< symbol and how many, a stack
   std::unique_ptr<Measurer> measurer_;                         ///< once it is needed
+  Placer placer_;
   Pool<PooledPolygon> polygons_;
   Pool<PooledMesh> meshes_;
   Arena<Value> values_;
@@ -290,6 +303,7 @@ class Machine {
 
   std::vector<Value> variable_values_;
   std::vector<uint32_t> variable_known_;  ///< building number for which the value holds
+  std::vector<bool> variable_varies_;     ///< whether that value is this building's own
   std::vector<const PropertyValue*> property_values_;
   std::vector<uint32_t> property_known_;
   std::vector<uint32_t> overridden_;         ///< variables that a property overrides
@@ -306,6 +320,7 @@ class Machine {
   friend class BuildingValues;
   friend class Trial;
   friend class Measurer;
+  friend class Placer;
   friend class Context;
 };
 

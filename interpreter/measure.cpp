@@ -294,7 +294,7 @@ NaturalSize Measurer::terminal(const Shape& shape, Axis axis) {
   if (number == none) return {};
   const ElementTable& table = machine_.program.element_tables[number];
   if (table.choices.empty() || shape.form == Form::line) return {};
-  if (table.choices.size() > 1) note_draw();
+  if (table.choices.size() > 1) machine_.reads |= read_bits::chance;
   const ElementTable::Choice& choice = Machine::choose_element(table, shape);
   const auto mesh = std::ranges::find_if(choice.meshes, [](const Mesh* m) { return m != nullptr; });
   if (mesh == choice.meshes.end()) return {};

@@ -38,10 +38,9 @@ class Measurer {
   /// is.
   NaturalSize shape(const Shape& shape, Axis axis, Span at);
 
-  // ---- what expressions tell while shapes are measured
-  void note_read(Attribute which, const Shape& shape, uint32_t node);
-  void note_call(const Function& function, uint32_t node);
-  void note_draw();
+  // ---- what expressions may not ask while shapes are measured
+  void check_read(Attribute which, const Shape& shape, uint32_t node);
+  void check_call(const Function& function, uint32_t node);
 
  private:
   /// A shape on its way through a successor. What is found to be n long below it is n * scale +

@@ -9,36 +9,14 @@
 namespace mansard {
 namespace {
 
-constexpr uint32_t draw_bit = 1u << 31;  ///< beside one bit an attribute
 constexpr std::size_t most_notes = 4;
-static_assert(static_cast<int>(Attribute::seed) < 31);
+static_assert(1u << static_cast<int>(Attribute::seed) <= read_bits::attributes);
 
 uint64_t bits_of(double v) { return std::isnan(v) ? 1 : std::bit_cast<uint64_t>(v + 0.0); }
 
-uint64_t content_of(const Value& value) {
-  uint64_t hash = static_cast<uint64_t>(value.type);
-  switch (value.type) {
-    case Type::number:
-      return mix(hash, bits_of(value.number));
-    case Type::boolean:
-      return mix(hash, value.boolean);
-    case Type::string:
-      return mix(hash, hash_of(value.string()));
-    case Type::symbol:
-      return mix(mix(hash, value.symbol), value.size);
-    case Type::list:
-      for (const Value& item : value.list()) hash = mix(hash, content_of(item));
-      return hash;
-  }
-  return hash;
-}
-
 }  // namespace
 
-void Measurer::note_draw() { machine_.reads |= draw_bit; }
-
-void Measurer::note_call(const Function& function, uint32_t node) {
-  if (function.random) note_draw();
+void Measurer::check_call(const Function& function, uint32_t node) {
   if (function.asks != Asks::nothing) refuse_question(machine_.program.spans[node]);
 }
 
@@ -51,9 +29,8 @@ void Measurer::refuse_question(Span at) const {
   refuse(std::move(d));
 }
 
-void Measurer::note_read(Attribute which, const Shape& shape, uint32_t node) {
+void Measurer::check_read(Attribute which, const Shape& shape, uint32_t node) {
   using enum Attribute;
-  machine_.reads |= 1u << static_cast<int>(which);
   const Vec3 size = shape.scope.size, origin = shape.scope.origin;
   const double all = size.x + size.y + size.z;
   double read = 0;
@@ -127,21 +104,14 @@ uint64_t Measurer::key_of(const Shape& shape, Axis axis) const {
                      static_cast<uint64_t>(shape.ground) << 16 |
                      static_cast<uint64_t>(shape.plain) << 17);
   for (const double v : {size.x, size.y, size.z, shape.index}) key = mix(key, bits_of(v));
-  const uint32_t rules = machine_.rules_of(shape);
-  for (uint32_t i = 0; i < machine_.program.rule_sets[rules].parameters; ++i) {
-    key = mix(key, content_of(shape.arguments[i]));
-  }
-  for (uint32_t i = shape.settings; i != none; i = machine_.settings[i].next) {
-    key = mix(mix(key, machine_.settings[i].setting), content_of(machine_.settings[i].value));
-  }
-  return key;
+  return mix(key, machine_.inherited_values(shape));
 }
 
 /// What its rules did read of it, besides.
 uint64_t Measurer::read_of(const Shape& shape, uint32_t reads) const {
-  uint64_t key = reads;
-  if (reads & draw_bit) key = mix(key, shape.seed);
-  for (uint32_t bit = 0; bit < 31; ++bit) {
+  uint64_t key = reads & (read_bits::chance | read_bits::attributes);
+  if (reads & read_bits::chance) key = mix(key, shape.seed);
+  for (uint32_t bit = 0; 1u << bit <= read_bits::attributes; ++bit) {
     if (!(reads & 1u << bit)) continue;
     const auto which = static_cast<Attribute>(bit);
     key = mix(key, bit);

@@ -153,6 +153,7 @@ void Machine::warn(std::string_view code, Span at, std::string text, std::string
 }
 
 void Machine::warn(Diagnostic warning) {
+  reads |= read_bits::aloud;
   for (const Diagnostic& known : building->warnings) {
     if (known.code != warning.code || known.at != warning.at) continue;
     if (!each_text_is_news(warning.code) || known.text == warning.text) return;

@@ -229,6 +229,7 @@ struct CompiledStyle {
   std::vector<uint32_t> rules;      ///< by symbol: rule set or none
   std::vector<uint32_t> elements;   ///< by symbol: element table or none
   std::vector<uint32_t> materials;  ///< by symbol: material table or none
+  std::vector<bool> placeable;      ///< by symbol; see placeable.hpp
 };
 
 struct Program {

@@ -18,10 +18,16 @@ inline void mark_part(Shape& piece, std::optional<Axis> axis, std::size_t i, std
   if (axis == Axis::y) piece.level = static_cast<uint32_t>(i);
 }
 
-/// Calls f(piece) for each piece of the shape between low and high metres along the axis: one for
-/// rectangles and boxes, maybe several for concave polygons. Sides that the cut makes are marked.
+/// From `low` to `high` metres along an axis. `length` is high - low but for rounding: the same for
+/// parts of the same size wherever they lie.
+struct Stretch {
+  double low = 0, high = 0, length = 0;
+};
+
+/// Calls f(piece) for each piece of the shape within the stretch: one for rectangles and boxes,
+/// maybe several for concave polygons. Sides that the cut makes are marked.
 template <class F>
-void for_each_slice(Machine& machine, const Shape& shape, Axis axis, double low, double high, F f);
+void for_each_slice(Machine& machine, const Shape& shape, Axis axis, const Stretch& stretch, F f);
 
 /// True for forms that the scope alone describes along this axis, so that slicing moves numbers
 /// only.
@@ -39,24 +45,24 @@ inline bool slices_by_scope(const Shape& shape, Axis axis) {
 }
 
 /// The slab of a shape that slices by its scope.
-inline Shape slab(const Shape& shape, Axis axis, double low, double high) {
+inline Shape slab(const Shape& shape, Axis axis, const Stretch& stretch) {
   constexpr double touch = 1e-9;
   Shape piece = shape;
   const Vec3 direction = axis == Axis::x   ? shape.scope.x
                          : axis == Axis::y ? shape.scope.y
                                            : shape.scope.z;
   const double whole = along(shape.scope.size, axis);
-  piece.scope.origin = shape.scope.origin + direction * low;
-  along(piece.scope.size, axis) = high - low;
+  piece.scope.origin = shape.scope.origin + direction * stretch.low;
+  along(piece.scope.size, axis) = stretch.length;
   const uint8_t low_side = axis == Axis::x ? side_left : axis == Axis::y ? side_bottom : side_back;
   const uint8_t high_side = axis == Axis::x ? side_right : axis == Axis::y ? side_top : side_front;
-  if (axis == Axis::x && low > touch) piece.corner_left = 180;  // inside (corners.hpp)
-  if (axis == Axis::x && high < whole - touch) piece.corner_right = 180;
-  if (low > touch) {
+  if (axis == Axis::x && stretch.low > touch) piece.corner_left = 180;  // inside (corners.hpp)
+  if (axis == Axis::x && stretch.high < whole - touch) piece.corner_right = 180;
+  if (stretch.low > touch) {
     piece.cuts |= low_side;
     piece.open &= static_cast<uint8_t>(~low_side);
   }
-  if (high < whole - touch) {
+  if (stretch.high < whole - touch) {
     piece.cuts |= high_side;
     piece.open &= static_cast<uint8_t>(~high_side);
   }
@@ -67,12 +73,12 @@ inline Shape slab(const Shape& shape, Axis axis, double low, double high) {
 std::vector<Shape> slabs(Machine& machine, const Shape& shape, Axis axis, double low, double high);
 
 template <class F>
-void for_each_slice(Machine& machine, const Shape& shape, Axis axis, double low, double high, F f) {
+void for_each_slice(Machine& machine, const Shape& shape, Axis axis, const Stretch& stretch, F f) {
   if (slices_by_scope(shape, axis)) {
-    Shape piece = slab(shape, axis, low, high);
+    Shape piece = slab(shape, axis, stretch);
     f(piece);
   } else {
-    for (Shape& piece : slabs(machine, shape, axis, low, high)) f(piece);
+    for (Shape& piece : slabs(machine, shape, axis, stretch.low, stretch.high)) f(piece);
   }
 }
 

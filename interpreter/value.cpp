@@ -1,6 +1,10 @@
 #include "interpreter/value.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "interpreter/random.hpp"
 
 namespace mansard {
 
@@ -35,6 +39,24 @@ bool equal(const Value& a, const Value& b) {
       return std::ranges::equal(a.list(), b.list(), equal);
   }
   return false;
+}
+
+uint64_t content_hash(const Value& value) {
+  uint64_t hash = static_cast<uint64_t>(value.type);
+  switch (value.type) {
+    case Type::number:
+      return mix(hash, std::isnan(value.number) ? 1 : std::bit_cast<uint64_t>(value.number + 0.0));
+    case Type::boolean:
+      return mix(hash, value.boolean);
+    case Type::string:
+      return mix(hash, hash_of(value.string()));
+    case Type::symbol:
+      return mix(mix(hash, value.symbol), value.size);
+    case Type::list:
+      for (const Value& item : value.list()) hash = mix(hash, content_hash(item));
+      return hash;
+  }
+  return hash;
 }
 
 }  // namespace mansard

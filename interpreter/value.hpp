@@ -74,5 +74,7 @@ struct Value {
 
 /// Same type and same content; lists item by item.
 bool equal(const Value& a, const Value& b);
+/// The same for equal values, and for all numbers that are none.
+uint64_t content_hash(const Value& value);
 
 }  // namespace mansard

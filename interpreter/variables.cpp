@@ -13,7 +13,11 @@ namespace mansard {
 /// of the footprint, the style.
 Value Machine::variable(uint32_t slot, const Env& env, uint32_t node) {
   const VariableSlot& v = program.variables[slot];
-  if (!v.settable && variable_known_[slot] == building_number_) return variable_values_[slot];
+  const auto known = [&]() -> const Value& {
+    if (variable_varies_[slot]) reads |= read_bits::building;
+    return variable_values_[slot];
+  };
+  if (!v.settable && variable_known_[slot] == building_number_) return known();
   const Deeper deeper(*this, node, program.depths[v.value] + 1);
   if (v.settable && env.shape && !v.from_command_line) {
     for (uint32_t i = env.shape->settings; i != none; i = settings[i].next) {
@@ -22,19 +26,22 @@ Value Machine::variable(uint32_t slot, const Env& env, uint32_t node) {
   }
   if (v.reads_shape && variable_property_[slot] == none) {
     if (depth_ > program.depths[v.value] + 1) count_call(node);
-    if (measuring && v.per != VariableSlot::Per::building) measurer_->note_draw();
+    if (measuring && v.per != VariableSlot::Per::building) reads |= read_bits::chance;
     const uint64_t draws = env.shape ? stream_of(v.per, v.per_symbol, *env.shape, v.salt)
                                      : mix(building_seed_, v.salt);
     return evaluate(v.value, Env{env.shape, nullptr, draws, nullptr});
   }
   if (variable_known_[slot] != building_number_) {
+    const uint32_t before = std::exchange(reads, 0);
     const Value own =
         evaluate(v.value, Env{env.shape, nullptr, mix(building_seed_, v.salt), nullptr});
     const uint32_t name = variable_property_[slot];
     variable_values_[slot] = name == none ? own : property(name, own, node);
     variable_known_[slot] = building_number_;
+    variable_varies_[slot] = (reads & (read_bits::building | read_bits::chance)) != 0;
+    reads = before | (reads & ~read_bits::chance);
   }
-  return variable_values_[slot];
+  return known();
 }
 
 uint64_t Machine::stream_of(VariableSlot::Per per, uint32_t symbol, const Shape& shape,
@@ -49,9 +56,22 @@ uint64_t Machine::stream_of(VariableSlot::Per per, uint32_t symbol, const Shape&
   return mix(shape.seed, salt);
 }
 
+uint64_t Machine::inherited_values(const Shape& shape) const {
+  uint64_t hash = 0;
+  const uint32_t rules = rules_of(shape);
+  for (uint32_t i = 0; rules != none && i < program.rule_sets[rules].parameters; ++i) {
+    hash = mix(hash, content_hash(shape.arguments[i]));
+  }
+  for (uint32_t i = shape.settings; i != none; i = settings[i].next) {
+    hash = mix(mix(hash, settings[i].setting), content_hash(settings[i].value));
+  }
+  return hash;
+}
+
 /// The footprint's property as a value of the fallback's type; the fallback when there is none, or
 /// when it can not be read as that type (a warning).
 Value Machine::property(uint32_t slot, const Value& fallback, uint32_t node) {
+  reads |= read_bits::building;
   if (property_known_[slot] != building_number_) return fallback;
   const PropertyValue& value = *property_values_[slot];
   const auto text = std::get_if<std::string>(&value);
@@ -101,6 +121,7 @@ std::string_view text_or(const Footprint& footprint, std::string_view name,
 }  // namespace
 
 Value Machine::input(Input which) {
+  reads |= read_bits::building;
   const double levels = number_or(*footprint, "building:levels", 0);
   const double height = height_of(*footprint);
   switch (which) {

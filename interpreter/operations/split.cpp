@@ -70,10 +70,10 @@ void mark(Shape& piece, const Direction& d, std::size_t i, std::size_t n, std::s
 }
 
 template <class F>
-void cut_slice(Context& c, const Direction& d, double low, double high, F f) {
-  if (!d.diagonal) return for_each_slice(c.machine, c.shape, d.axis, low, high, f);
-  for (const Polygon& upto : clip(d.outline, d.along, d.from + high)) {
-    for (Polygon& part : clip(upto, d.along * -1, -(d.from + low))) {
+void cut_slice(Context& c, const Direction& d, const Stretch& stretch, F f) {
+  if (!d.diagonal) return for_each_slice(c.machine, c.shape, d.axis, stretch, f);
+  for (const Polygon& upto : clip(d.outline, d.along, d.from + stretch.high)) {
+    for (Polygon& part : clip(upto, d.along * -1, -(d.from + stretch.low))) {
       Shape piece = c.shape;
       piece.form = Form::polygon;
       c.machine.adopt(piece, std::move(part));
@@ -94,6 +94,7 @@ void report_leftover(Context& c, double left, double whole) {
 void count_cut(Context& c) {
   Building& building = *c.machine.building;
   ++building.parts_cut;
+  c.machine.reads |= read_bits::aloud;
   const auto known = std::ranges::find(building.cuts, c.call.args_at, &CutSplit::at);
   if (known != building.cuts.end()) {
     ++known->parts;
@@ -102,7 +103,7 @@ void count_cut(Context& c) {
   }
 }
 
-/// Runs from 0 over the lengths at scratch_sizes[first...]; make(i, low, high) for each part there
+/// Runs from 0 over the lengths at scratch_sizes[first...]; make(i, stretch) for each part there
 /// is.
 template <class F>
 void lay_out(Context& c, std::size_t first, std::size_t n, double whole, F make) {
@@ -114,7 +115,8 @@ void lay_out(Context& c, std::size_t first, std::size_t n, double whole, F make)
     // The last part ends exactly where the scope does.
     const double end =
         i + 1 == n && std::abs(whole - high) < 1e-9 * std::max(1.0, whole) ? whole : high;
-    if (end - at > touch) make(i, at, end);
+    const bool whole_size = std::abs(end - at - size) < 1e-9 * std::max(1.0, whole);
+    if (end - at > touch) make(i, Stretch{at, end, whole_size ? size : end - at});
     at = high;
   }
 }
@@ -136,8 +138,8 @@ void subdiv(Context& c, Value axis, Sizes, Option<std::string_view> to, Option<d
   if (d.snaps) snap_lengths(c, d.axis, first, {to, tolerance});
   note_measures(c, sizes, first, d.named());
   values.resize(first_value);
-  lay_out(c, first, n, d.whole, [&](std::size_t i, double low, double high) {
-    cut_slice(c, d, low, high, [&](Shape& piece) {
+  lay_out(c, first, n, d.whole, [&](std::size_t i, const Stretch& stretch) {
+    cut_slice(c, d, stretch, [&](Shape& piece) {
       mark(piece, d, i, n, 0);
       c.part(i, piece);
     });
@@ -169,7 +171,7 @@ void repeat(Context& c, Value axis, double, std::optional<std::string_view> mode
     for (double j = 0; j < n; ++j, ++i) {
       const double low = from + room * (j / n);
       const double high = j + 1 == n ? edges[k + 1] : from + room * ((j + 1) / n);
-      cut_slice(c, d, low, high, [&](Shape& piece) {
+      cut_slice(c, d, {low, high, room / n}, [&](Shape& piece) {
         mark(piece, d, i, static_cast<std::size_t>(count), i);
         c.part(i, piece);
       });
@@ -192,8 +194,8 @@ void split(Context& c, Value axis, Option<std::string_view> to, Option<double> t
   report_leftover(c, solve_sizes(pattern.sizes, d.whole, lengths), d.whole);
   if (d.snaps) snap_lengths(c, d.axis, first, {to, tolerance});
   note_measures(c, pattern.sizes, first, d.named());
-  lay_out(c, first, n, d.whole, [&](std::size_t i, double low, double high) {
-    cut_slice(c, d, low, high, [&](Shape& piece) {
+  lay_out(c, first, n, d.whole, [&](std::size_t i, const Stretch& stretch) {
+    cut_slice(c, d, stretch, [&](Shape& piece) {
       mark(piece, d, i, n, pattern.rounds[i]);
       c.go_on(*pattern.parts[i], i, piece);
     });

@@ -1,0 +1,80 @@
+// Derive once, place many: what comes of a shape whose place does not matter is derived at the
+// origin and moved to where the shape stands; the next shape like it takes a copy. Without the
+// copies the same arithmetic happens, so the result is the same to the last bit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "interpreter/parts.hpp"
+#include "interpreter/shape.hpp"
+
+namespace mansard {
+
+class Machine;
+
+class Placer {
+ public:
+  explicit Placer(Machine& machine);
+
+  /// A new building. `shares` is whether copies may be taken.
+  void reset(bool shares);
+
+  bool takes(const Shape& shape) const;
+  /// Derives the shape to its end; takes() must hold.
+  void place(Shape& shape);
+
+  // ---- what the derivation tells; of use while something is being placed
+  void note_terminal(uint32_t symbol) {
+    if (open_ > 0) terminals_.emplace_back(symbol, 1);
+  }
+  void note_taken(uint32_t production) {
+    if (open_ > 0) taken_.emplace_back(production, 1);
+  }
+  void note_depth(uint32_t depth) {
+    if (depth > deepest_) deepest_ = depth;
+  }
+  /// The polygon drawn last has its texture from a frame of the pool, or from none.
+  void note_polygon(uint32_t uv_frame) {
+    if (open_ > 0) hung_.push_back(uv_frame);
+  }
+  void forget_texture() {
+    if (open_ > 0) hung_.back() = Shape::none;
+  }
+
+ private:
+  /// Of a symbol in a style.
+  struct Seen {
+    uint32_t reads = 0;  ///< all that its shapes ever read
+    uint32_t tries = 0, hits = 0;
+    bool helps() const { return tries < 64 || 4 * hits >= tries; }
+  };
+  /// The machine before a part was derived.
+  struct Before;
+
+  Seen& seen(const Shape& shape);
+  PartKey key_of(const Shape& shape, uint32_t reads) const;
+  uint64_t word_of(const Shape& shape, uint32_t reads) const;
+  bool fits(const Part& part, const Shape& shape) const;
+  void put(const Part& part, const Shape& shape);
+  void derive(Shape& shape);
+  void keep(const Shape& shape, const Before& before, uint32_t reads);
+  void keep_surface(Part& part, const Before& before);
+  void settle(const Shape& shape, const Before& before);
+  Vec2 shift_of(const Shape& shape) const;
+  template <class F>
+  void for_each_hung(const Before& before, F f) const;
+  static void count(std::vector<PartCount>& counts, std::size_t first);
+
+  Machine& machine_;
+  PartStore store_;
+  std::vector<Seen> seen_;  ///< by style, then symbol
+  bool shares_ = true;
+  int open_ = 0;  ///< parts being derived, one in the other
+  uint32_t deepest_ = 0;
+  uint32_t first_polygon_ = 0;  ///< of the outermost of them
+  std::vector<uint32_t> hung_;  ///< uv frames, by polygon since that
+  std::vector<PartCount> terminals_, taken_;
+};
+
+}  // namespace mansard

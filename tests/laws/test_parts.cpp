@@ -1,0 +1,210 @@
+// Parts that are derived once and placed many times: the result is the same to the last bit as when
+// each is derived for itself.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "tests/laws/derive.hpp"
+
+namespace {
+
+using namespace mansard;
+using namespace mansard::test;
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool same_runs(const Surface& a, const Surface& b) {
+  return std::ranges::equal(a.runs, b.runs, [](const auto& p, const auto& q) {
+    return p.symbol == q.symbol && p.material == q.material && p.end == q.end;
+  });
+}
+
+bool same_placed(const Surface& a, const Surface& b) {
+  return std::ranges::equal(a.placed, b.placed, [](const auto& p, const auto& q) {
+    return p.mesh == q.mesh && p.begin == q.begin && p.end == q.end &&
+           std::memcmp(&p.origin, &q.origin, sizeof p.origin) == 0;
+  });
+}
+
+/// What differs, or nothing.
+std::string difference(const Building& a, const Building& b) {
+  if (!same_bytes(a.surface.points, b.surface.points)) return "points";
+  if (!same_bytes(a.surface.uvs, b.surface.uvs)) return "uvs";
+  if (!same_bytes(a.surface.normals, b.surface.normals)) return "normals";
+  if (a.surface.ends != b.surface.ends) return "polygons";
+  if (!same_runs(a.surface, b.surface)) return "runs";
+  if (!same_placed(a.surface, b.surface)) return "placed meshes";
+  if (a.terminals != b.terminals || a.taken != b.taken) return "counts";
+  if (a.shapes != b.shapes || a.operations != b.operations) return "totals";
+  if (a.parts_cut != b.parts_cut || a.unmatched != b.unmatched) return "what did not fit";
+  if (a.materials.size() != b.materials.size()) return "materials";
+  if (a.report.size() != b.report.size()) return "report";
+  if (a.warnings.size() != b.warnings.size()) return "warnings";
+  for (std::size_t i = 0; i < a.warnings.size(); ++i) {
+    if (a.warnings[i].text != b.warnings[i].text) return "a warning";
+  }
+  return {};
+}
+
+/// A row of buildings, twice over: of several heights and uses, each with its own id.
+std::vector<Footprint> street() {
+  std::vector<Footprint> all;
+  const auto add = [&](const char* literal, double height, const char* use, double width) {
+    Footprint f = footprint(literal);
+    f.id = std::string(literal) + use + std::to_string(all.size());
+    f.properties.push_back({"height", height});
+    f.properties.push_back({"use", std::string(use)});
+    if (width > 0) f.properties.push_back({"TileWidth", width});
+    all.push_back(std::move(f));
+  };
+  for (int round = 0; round < 2; ++round) {
+    add("rect:10x8", 9, "shop", 0);
+    add("rect:10x8", 9, "shop", 2.5);
+    add("rect:10x8", 13, "flat", 0);
+    add("L:14x11x6x5", 9, "flat", 0);
+    add("WKT:POLYGON((0 0, 9 -2, 15 4, 13 12, 5 14, -2 7, 0 0))", 11, "shop", 0);
+    add("WKT:POLYGON((1003 2001, 1013 2001, 1013 2009, 1003 2009, 1003 2001))", 9, "shop", 0);
+  }
+  return all;
+}
+
+/// Derives the street with and without copies; gives how many shapes were copied.
+std::size_t check_same(const Script& script, DeriveOptions options = {}) {
+  REQUIRE_MESSAGE(script.good(), script.problems());
+  DeriveOptions apart = options;
+  apart.share_parts = false;
+  Derivation sharing(script.program(), script.meshes(), options);
+  Derivation alone(script.program(), script.meshes(), apart);
+  Building a, b;
+  std::size_t copied = 0;
+  for (const Footprint& on : street()) {
+    CAPTURE(on.id);
+    std::string why_a, why_b;
+    const auto attempt = [&](Derivation& derivation, Building& building, std::string& why) {
+      try {
+        derivation.derive(on, building);
+      } catch (const Failure& failure) {
+        why = to_text(failure.diagnostic, false);
+      }
+    };
+    attempt(sharing, a, why_a);
+    attempt(alone, b, why_b);
+    CHECK(why_a == why_b);
+    CHECK(difference(a, b) == "");
+    CHECK(b.copied == 0);
+    copied += a.copied;
+  }
+  return copied;
+}
+
+/// A box with rows of tiles on its sides, and what a tile becomes.
+Script tiles(const std::string& rules) {
+  return Script::text(R"(style Tiles {
+    Main {
+      var TileWidth = 2
+      var Drawn = rand(0, 1)
+      @per("shape") var Each = rand(0, 1)
+      FOOTPRINT -> extrude(BUILDING_HEIGHT) comp { side : FACADE | top : ROOF }
+      FACADE -> repeat("Y", 3) { FLOOR }
+      FLOOR -> repeat("X", TileWidth) { TILE }
+      WALL -> color("tan") PLASTER
+      def deeper(x) = x + TileWidth / 10
+      )" + rules + "} }");
+}
+
+}  // namespace
+
+TEST_CASE("examples are the same with and without copies of parts") {
+  std::size_t scripts = 0, copied = 0;
+  const std::filesystem::path root = MANSARD_ROOT;
+  for (const char* folder : {"examples", "styles/library", "bench"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".style" || entry.path().stem() == "mistake") continue;
+      const std::string path = std::filesystem::relative(entry.path(), root).string();
+      CAPTURE(path);
+      const Script script = Script::file(path);
+
+      ++scripts;
+      copied += check_same(script);
+      check_same(script, {.seed = 7, .lod = 2});
+    }
+  }
+  CHECK(scripts > 40);
+  CHECK(copied > 10'000);
+}
+
+TEST_CASE("a box of tiles is copied as a whole") {
+  const Script script = Script::file("bench/facade_box.style");
+  Derivation derivation(script.program(), script.meshes(), {});
+  Building building;
+  derivation.derive(footprint("rect:10x8"), building);
+  CHECK(building.copied > building.shapes / 2);  // its first tiles
+  derivation.derive(footprint("rect:10x8"), building);
+  CHECK(building.copied > building.shapes * 9 / 10);
+}
+
+TEST_CASE("tiles that are alike are copied") {
+  for (const char* rules : {
+           "TILE -> detrude(0.2) { WINDOW | WALL }",
+           "TILE -> set(TileWidth, 1) repeat(\"X\", TileWidth) { PANE }",
+           "TILE -> subdiv(\"X\", 1r, 0.3, 1r) { WALL | BAR(deeper(2)) | WALL }"
+           "BAR(n) -> subdiv(\"Y\", n / 10, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", 1r, 0.3) { A[split.index] | B } A -> subdiv(\"Y\", 1r, index + "
+           "1) "
+           "{ C | D }",
+           "TILE : W > 1 -> [ extrude(0.1) { SLAB } ] subdiv(\"Y\", 1, 1r) { WALL | PANE }"
+           "TILE : else -> WALL",
+           "TILE -> label(\"tile\") super_tile super_tile -> subdiv(\"X\", 1r, 1r) { A | B }",
+       }) {
+    CAPTURE(rules);
+    CHECK(check_same(tiles(rules)) > 1000);
+  }
+}
+
+TEST_CASE("what tiles depend on is seen, or they are not copied") {
+  for (const char* rules : {
+           "TILE : split.index == 1 -> detrude(0.2) { DOOR | WALL }"
+           "TILE : else -> detrude(0.2) { WINDOW | WALL }",
+           "TILE : split.index == split.count - 1 -> subdiv(\"X\", 1r, 1r) { A | B }"
+           "TILE : else -> subdiv(\"X\", 1r, 1r) { A | C }",
+           "TILE : level == 1 -> subdiv(\"X\", 1r, 1r) { A | B }"
+           "TILE : else -> subdiv(\"X\", 1r, 1r) { C | D }",
+           "TILE : elevation > 3 -> subdiv(\"X\", 1r, 1r) { A | B }"
+           "TILE : else -> subdiv(\"X\", 1r, 1r) { C | D }",
+           "TILE : facing < 90 -> subdiv(\"X\", 1r, 1r) { A | B }"
+           "TILE : else -> subdiv(\"X\", 1r, 1r) { C | D }",
+           "TILE -> subdiv(\"X\", 1r, 1r) { A | B } : 0.5 TILE -> subdiv(\"X\", 1r, 1r) { C | D } "
+           ": 0.5",
+           "TILE -> subdiv(\"X\", rand(0.2, 0.6), 1r) { A | B }",
+           "TILE -> subdiv(\"X\", 0.1 + 0.5 * Drawn, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", 0.1 + 0.5 * Each, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", 0.1 + 0.5 * seed, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", TileWidth / 7, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", BUILDING_HEIGHT / 40, 1r) { A | B }",
+           "TILE : BUILDING_USE == \"shop\" -> subdiv(\"X\", 1r, 1r) { A | B }"
+           "TILE : else -> subdiv(\"X\", 1r, 1r) { C | D }",
+           "TILE -> subdiv(\"X\", attr(\"height\", 3) / 40, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", 1r, 1r) { A | B } report(\"tiles\", 1)",
+           "TILE -> subdiv(\"X\", 0.2, 0.2) { A | B }",
+           "TILE -> subdiv(\"X\", 1.2, 1.3) { A | B }",
+           "TILE : W > 5 -> subdiv(\"X\", 1r, 1r) { A | B }",
+           "TILE -> subdiv(\"X\", 1r, 1r) { color(if level > 0 then \"red\" else \"blue\") A | B }",
+           "TILE -> subdiv(\"Y\", 1, 1r) { A | TILE2 } TILE2 : H > 1 -> subdiv(\"Y\", 1, 1r) { A | "
+           "TILE2 } TILE2 : else -> B",
+       }) {
+    CAPTURE(rules);
+    check_same(tiles(rules));
+  }
+}
+
+TEST_CASE("copies keep to the limits") {
+  const Script script = tiles("TILE -> detrude(0.2) { WINDOW | WALL }");
+  check_same(script, {.max_shapes = 100});
+  check_same(script, {.max_depth = 4});
+  check_same(script, {.max_depth = 3});
+}
