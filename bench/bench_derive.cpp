@@ -46,8 +46,8 @@ double resident() {
 
 /// After one round over the footprints memory is to stay as it is: `grown` kB is what it did.
 void derive(benchmark::State& state, Compiled& style, const std::vector<Footprint>& footprints,
-            int lod = 3) {
-  Derivation derivation = style.derivation({.lod = lod});
+            const DeriveOptions& options = {}) {
+  Derivation derivation = style.derivation(options);
   Building building;
   Sums sums;
   for (const Footprint& footprint : footprints) derivation.derive(footprint, building);
@@ -83,7 +83,7 @@ void thesis_lod(benchmark::State& state, int lod) {
   Compiled style("styles/library/listings.style", "Building2");
   std::vector<Footprint> plots = rectangles(100, 10, 8);
   for (Footprint& plot : plots) plot.properties.push_back({"height", 9.0});
-  derive(state, style, plots, lod);
+  derive(state, style, plots, {.share_parts = false, .lod = lod});
 }
 
 void thesis_lod1(benchmark::State& state) { thesis_lod(state, 1); }
@@ -93,15 +93,22 @@ void thesis_lod3(benchmark::State& state) { thesis_lod(state, 3); }
 /// The benchmark's own thesis building: a window is a pane and four reveals.
 void plain_lod(benchmark::State& state, int lod) {
   Compiled style("bench/thesis.style", "ThesisBy61");
-  derive(state, style, rectangles(1000, 10, 8), lod);
+  derive(state, style, rectangles(1000, 10, 8), {.share_parts = false, .lod = lod});
 }
 
 void plain_lod1(benchmark::State& state) { plain_lod(state, 1); }
 void plain_lod2(benchmark::State& state) { plain_lod(state, 2); }
+void plain_lod3(benchmark::State& state) { plain_lod(state, 3); }
 
 void facade_box(benchmark::State& state) {
   Compiled style("bench/facade_box.style");
   derive(state, style, rectangles(1000, 10, 8));
+}
+
+/// Each of its parts derived for itself.
+void facade_box_apart(benchmark::State& state) {
+  Compiled style("bench/facade_box.style");
+  derive(state, style, rectangles(1000, 10, 8), {.share_parts = false});
 }
 
 /// Every tile asks whether something stands before it.
@@ -159,7 +166,9 @@ BENCHMARK(thesis_lod2)->Unit(benchmark::kMillisecond);
 BENCHMARK(thesis_lod3)->Unit(benchmark::kMillisecond);
 BENCHMARK(plain_lod1)->Unit(benchmark::kMillisecond);
 BENCHMARK(plain_lod2)->Unit(benchmark::kMillisecond);
+BENCHMARK(plain_lod3)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_box)->Unit(benchmark::kMillisecond);
+BENCHMARK(facade_box_apart)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_asks)->Unit(benchmark::kMillisecond);
 BENCHMARK(facade_box_to_obj)->Unit(benchmark::kMillisecond);
 BENCHMARK(quarter_houses)->Unit(benchmark::kMillisecond);

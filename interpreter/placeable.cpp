@@ -31,14 +31,15 @@ class Walk {
         pairs_(program.styles.size() * symbols_) {}
 
   std::vector<std::vector<bool>> run() {
-    for (uint16_t style = 0; style < program_.styles.size(); ++style) {
-      for (uint32_t symbol = 0; symbol < symbols_; ++symbol) walk(style, symbol);
+    for (uint32_t pair = 0; pair < pairs_.size(); ++pair) {
+      walk(static_cast<uint16_t>(pair / symbols_), static_cast<uint32_t>(pair % symbols_));
     }
     spread();
+    want_what_varies_above();
     std::vector<std::vector<bool>> found(program_.styles.size(), std::vector<bool>(symbols_));
     for (uint32_t pair = 0; pair < pairs_.size(); ++pair) {
       const Pair& p = pairs_[pair];
-      if (!p.barred && p.divides && !leads_to_itself(pair))
+      if (!p.barred && p.divides && p.wanted && !leads_to_itself(pair))
         found[pair / symbols_][pair % symbols_] = true;
     }
     return found;
@@ -49,6 +50,8 @@ class Walk {
   /// A symbol in a style.
   struct Pair {
     bool barred = false, divides = false;
+    bool draws = false;   ///< one of several productions
+    bool wanted = false;  ///< it comes several times, or what it comes of is not copied as a whole
     std::vector<uint32_t> next;  ///< pairs that its rules emit
   };
 
@@ -56,13 +59,14 @@ class Walk {
     const uint32_t rule_set = program_.styles[style].rules[symbol];
     if (rule_set == none) return;
     style_ = style;
-    at_ = &pairs_[style * symbols_ + symbol];
+    at_ = &pairs_[pair_of(style, symbol)];
     for (uint32_t set = rule_set; set != none; set = program_.rule_sets[set].super) {
       const RuleSet& rules = program_.rule_sets[set];
       at_->barred |= rules.waits;
       for (uint32_t i = 0; i < rules.count; ++i) {
         const Production& p = program_.productions[rules.first + i];
         for (const ExprId e : {p.guard, p.index_test, p.probability}) read(e);
+        at_->draws |= p.probability != none;
         body(p.body);
       }
     }
@@ -82,8 +86,8 @@ class Walk {
       case StepKind::emit:
         if (s.style_of != none) at_->barred = true;  // a style that is not known before
         if (s.what == nil_symbol) return;
-        at_->next.push_back(
-            static_cast<uint32_t>((s.style == 0xffff ? style_ : s.style) * symbols_ + s.what));
+        at_->next.push_back(pair_of(s.style == 0xffff ? style_ : s.style, s.what));
+        pairs_[at_->next.back()].wanted |= several_;
         return;
       case StepKind::emit_value:
         at_->barred = true;
@@ -109,7 +113,12 @@ class Walk {
     if (!is_of(flat) && (program_.asks || !is_of(solid))) at_->barred = true;
     at_->divides |= c.has_parts;
     for (const SizeExpr& arg : c.args) read(arg.value);
+    const bool outside = several_;
+    several_ = several_ || c.parts_repeat || c.starred ||
+               c.operation->rule == PartRule::selectors ||
+               (c.operation->is_split && c.operation->rule == PartRule::body);
     for (const CallPart& p : c.parts) part(p);
+    several_ = outside;
   }
 
   void part(const CallPart& p) {
@@ -181,6 +190,18 @@ class Walk {
     }
   }
 
+  /// Below what is not copied as a whole, parts of it may be.
+  void want_what_varies_above() {
+    for (const Pair& p : pairs_) {
+      if (!p.barred && !p.draws) continue;
+      for (const uint32_t next : p.next) pairs_[next].wanted = true;
+    }
+  }
+
+  uint32_t pair_of(uint16_t style, uint32_t symbol) const {
+    return static_cast<uint32_t>(style * symbols_ + symbol);
+  }
+
   bool leads_to_itself(uint32_t pair) const {
     std::vector<uint32_t> reached{pair};
     for (std::size_t i = 0; i < reached.size(); ++i) {
@@ -198,6 +219,7 @@ class Walk {
   std::vector<Pair> pairs_;  ///< by style, then symbol
   uint16_t style_ = 0;
   Pair* at_ = nullptr;
+  bool several_ = false;  ///< what is emitted here may come several times
 };
 
 }  // namespace
