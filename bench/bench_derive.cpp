@@ -83,7 +83,7 @@ void thesis_lod(benchmark::State& state, int lod) {
   Compiled style("styles/library/listings.style", "Building2");
   std::vector<Footprint> plots = rectangles(100, 10, 8);
   for (Footprint& plot : plots) plot.properties.push_back({"height", 9.0});
-  derive(state, style, plots, {.share_parts = false, .lod = lod});
+  derive(state, style, plots, {.lod = lod, .share_parts = false});
 }
 
 void thesis_lod1(benchmark::State& state) { thesis_lod(state, 1); }
@@ -93,7 +93,7 @@ void thesis_lod3(benchmark::State& state) { thesis_lod(state, 3); }
 /// The benchmark's own thesis building: a window is a pane and four reveals.
 void plain_lod(benchmark::State& state, int lod) {
   Compiled style("bench/thesis.style", "ThesisBy61");
-  derive(state, style, rectangles(1000, 10, 8), {.share_parts = false, .lod = lod});
+  derive(state, style, rectangles(1000, 10, 8), {.lod = lod, .share_parts = false});
 }
 
 void plain_lod1(benchmark::State& state) { plain_lod(state, 1); }

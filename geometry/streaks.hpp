@@ -17,6 +17,12 @@ struct Drip {
   double depth;   ///< from `from` along `out`, 0 or more
   double rate;    ///< how strongly it stains, above 0 to 1
   uint64_t seed;
+
+  void move(Vec3 by) {
+    from = from + by;
+    to = to + by;
+    top += by.y;
+  }
 };
 
 /// Metres that stains lie before their wall: more than a depth buffer confuses at a hundred metres,

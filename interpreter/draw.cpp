@@ -19,8 +19,16 @@ UvFrame folded(const UvFrame& wall, Vec3 on_face, Vec3 normal) {
   const auto turned = [&](Vec3 v) { return axis * dot(axis, v) + face_across * dot(across, v); };
   const double away = dot(wall.origin - on_face, wall.normal) / dot(face_across, wall.normal);
   const Vec3 edge = on_face + face_across * away;  // on both planes
-  return {edge - turned(edge - wall.origin), turned(wall.u), turned(wall.v), normal,
-          wall.in_repeats};
+  UvFrame frame = wall;
+  frame.origin = edge - turned(edge - wall.origin);
+  frame.u = turned(wall.u);
+  frame.v = turned(wall.v);
+  frame.normal = normal;
+  // Moved off the wall the face meets it further along.
+  const Vec3 off = wall.normal * ((1 - dot(across, face_across)) / dot(face_across, wall.normal));
+  frame.shift_u = wall.u + off * dot(across, wall.u);
+  frame.shift_v = wall.v + off * dot(across, wall.v);
+  return frame;
 }
 
 /// What was drawn since `first` may have its like elsewhere: columns, sills, balusters. A texture
@@ -144,7 +152,8 @@ void Machine::add_run(uint32_t symbol, uint32_t look, uint32_t end) {
 /// building, so that the courses of all its walls are level.
 UvFrame Machine::frame_on(const Scope& face) const {
   UvFrame frame{face.origin, face.x, face.y, face.z};
-  if (face.y.y > 1 - 1e-9) frame.origin.y = base_elevation;
+  frame.level = face.y.y > 1 - 1e-9;
+  if (frame.level) frame.origin.y = base_elevation;
   return frame;
 }
 
@@ -164,8 +173,8 @@ UvFrame Machine::texture_frame(const Shape& shape, std::span<const Vec3> loop, V
   UvFrame frame = framed ? uv_frames[shape.uv_frame] : frame_on(shape.scope);
   if (std::abs(dot(frame.normal, normal)) >= near_enough) return frame;
   if (framed) return folded(frame, loop[0], normal);
-  frame.u = normalized(loop[1] - loop[0]);
-  frame.v = cross(normal, frame.u);
+  frame.u = frame.shift_u = normalized(loop[1] - loop[0]);
+  frame.v = frame.shift_v = cross(normal, frame.u);
   return frame;
 }
 
@@ -183,7 +192,7 @@ void Machine::push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& 
   }
   surface.ends.push_back(static_cast<uint32_t>(surface.points.size()));
   surface.normals.push_back(normal);
-  placer_.note_polygon(frame.number);
+  placer_.note_polygon(frame, metres);
 }
 
 /// Adds a planar polygon.

@@ -340,9 +340,11 @@ uint32_t Machine::borrow_mesh(const Mesh& mesh) {
   return number;
 }
 
-void Machine::frame_uvs(Shape& shape) {
-  shape.uv_frame = static_cast<uint32_t>(uv_frames.size());
-  add_frame(shape, frame_on(shape.scope));
+void Machine::frame_uvs(Shape& shape) { add_frame(shape, frame_on(shape.scope)); }
+
+void Machine::add_frame(Shape& shape, UvFrame frame) {
+  shape.uv_frame = frame.number = static_cast<uint32_t>(uv_frames.size());
+  uv_frames.push_back(frame);
 }
 
 Derivation::Derivation(const Program& program, MeshSource& meshes, const DeriveOptions& options)

@@ -20,6 +20,7 @@
 #include "interpreter/sizes.hpp"
 #include "interpreter/snap_lines.hpp"
 #include "interpreter/snap_planes.hpp"
+#include "interpreter/uv_frame.hpp"
 #include "interpreter/world.hpp"
 
 namespace mansard {
@@ -45,15 +46,6 @@ struct PooledMesh {
   const Mesh* borrowed = nullptr;
   Vec3 low, natural;
   const Mesh& mesh() const { return borrowed ? *borrowed : own; }
-};
-
-/// Where a texture starts and runs on a wall: from `origin` along u and v, by their length.
-struct UvFrame {
-  Vec3 origin, u, v, normal;
-  Vec3 shift_u = u, shift_v = v;  ///< what u and v of a face grow by as it moves and the wall stays
-  bool in_repeats = false;        ///< u and v count repeats, not metres
-  bool level = false;             ///< heights count from the foot of the building
-  uint32_t number = none;         ///< in the pool; none for a frame that belongs to one shape
 };
 
 /// A value given by set(), newest first.
@@ -94,6 +86,7 @@ class Machine {
   uint32_t borrow_mesh(const Mesh& mesh);
   const PooledMesh& mesh_of(const Shape& shape) const { return meshes_[shape.geometry]; }
   void frame_uvs(Shape& shape);
+  void add_frame(Shape& shape, UvFrame frame);
   UvFrame frame_on(const Scope& face) const;
   /// The number of a material of the table, drawn for the shape.
   uint32_t draw_material(uint32_t table, const Shape& shape);

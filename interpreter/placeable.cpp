@@ -12,10 +12,11 @@ namespace mansard {
 namespace {
 
 /// Operations that look at nothing but their shape and leave nothing but shapes.
-constexpr std::array<std::string_view, 23> flat{
-    "subdiv", "repeat",          "split",  "comp",  "detrude", "offset", "setback", "chamfer",
-    "shapeL", "shapeU",          "shapeO", "cut",   "quad",    "t",      "r",       "s",
-    "center", "inner_rectangle", "align",  "pivot", "color",   "texture"};
+constexpr std::array<std::string_view, 26> flat{
+    "subdiv", "repeat",          "split",  "comp",  "detrude", "offset",  "setback",  "chamfer",
+    "shapeL", "shapeU",          "shapeO", "cut",   "quad",    "t",       "r",        "s",
+    "center", "inner_rectangle", "align",  "pivot", "color",   "texture", "material", "uv",
+    "stain"};
 /// The same, but they make solids, which enter the world of a style that asks.
 constexpr std::array<std::string_view, 12> solid{"extrude", "taper",    "roof",     "upright",
                                                  "insert",  "box",      "cylinder", "sphere",

@@ -15,8 +15,8 @@ constexpr uint32_t once_only =
 }  // namespace
 
 struct Placer::Before {
-  std::size_t points, polygons, runs, placed, terminals, taken, shapes, operations, pieces, calls,
-      materials;
+  std::size_t points, polygons, runs, placed, drips, terminals, taken, shapes, operations, pieces,
+      calls, materials;
   uint32_t frame;  ///< that textures run on in, moved to the part's origin; or none
 
   Before(const Machine& machine, const Placer& placer, uint32_t uv_frame)
@@ -24,6 +24,7 @@ struct Placer::Before {
         polygons(machine.building->surface.polygons()),
         runs(machine.building->surface.runs.size()),
         placed(machine.building->surface.placed.size()),
+        drips(machine.building->drips.size()),
         terminals(placer.terminals_.size()),
         taken(placer.taken_.size()),
         shapes(machine.building->shapes),
@@ -76,19 +77,18 @@ Placer::Seen& Placer::seen(const Shape& shape) {
 /// At the origin, then moved to its place.
 void Placer::derive(Shape& shape) {
   const Shape whole = shape;
-  std::vector<UvFrame>& frames = machine_.uv_frames;
   shape.scope.origin = {};
   if (shape.uv_frame != none) {
-    UvFrame moved = frames[shape.uv_frame];
+    UvFrame moved = machine_.uv_frames[shape.uv_frame];
     moved.origin = {};
-    moved.number = static_cast<uint32_t>(frames.size());
-    frames.push_back(moved);
-    shape.uv_frame = moved.number;
+    machine_.add_frame(shape, moved);
   }
+  const double foot = std::exchange(machine_.base_elevation, 0);
   if (open_++ == 0) first_polygon_ = static_cast<uint32_t>(machine_.building->surface.polygons());
   const Before before(machine_, *this, shape.uv_frame);
   const uint32_t deepest = std::exchange(deepest_, whole.depth);
   machine_.derive_below(shape);
+  machine_.base_elevation = foot;
   const uint32_t read = machine_.reads;
   const bool same_materials = machine_.building->materials.size() == before.materials;
   Seen& like_it = seen(whole);
@@ -129,11 +129,13 @@ PartKey Placer::key_of(const Shape& s, uint32_t reads) const {
   key.add(reads);
   key.add(own_material || (reads & read_bits::building) ? m.building_number_ : 0);
   key.add(word_of(s, reads));
+  key.add(m.program.stain_look == none ? 0 : s.depth);  // how far down stain() goes
   if (s.uv_frame == none) return key;
   const UvFrame& frame = m.uv_frames[s.uv_frame];
   key.add(frame.u);
   key.add(frame.v);
   key.add(frame.normal);
+  key.add(static_cast<uint32_t>(frame.in_repeats) | static_cast<uint32_t>(frame.level) << 1);
   return key;
 }
 
@@ -164,24 +166,34 @@ bool Placer::fits(const Part& part, const Shape& shape) const {
          shape.depth + part.depth <= limits.max_depth;
 }
 
-/// Repeats of a texture that runs on from outside, from the part's origin to where that begins.
-Vec2 Placer::shift_of(const Shape& shape) const {
-  if (shape.uv_frame == none) return {};
-  const UvFrame& frame = machine_.uv_frames[shape.uv_frame];
-  const Vec3 from = shape.scope.origin - frame.origin;
-  return {dot(from, frame.u), dot(from, frame.v)};
+Placer::Moves Placer::moves_of(const Shape& shape) const {
+  const Vec3 to = shape.scope.origin;
+  const bool hangs = shape.uv_frame != none;
+  return {to,
+          hangs ? to - machine_.uv_frames[shape.uv_frame].origin : Vec3{},
+          {0, to.y - machine_.base_elevation, 0}};
+}
+
+void Placer::move_texture(Surface& surface, std::size_t polygon, const Hang& hang,
+                          const Moves& moves) {
+  if (hang.frame == none && !hang.level) return;
+  const Vec3 by = hang.frame == none ? moves.up : moves.on_wall;
+  const Vec2 shift{dot(by, hang.u), dot(by, hang.v)};
+  for (uint32_t k = surface.begin(polygon); k < surface.ends[polygon]; ++k) {
+    surface.uvs[k] = surface.uvs[k] + shift;
+  }
 }
 
 void Placer::put(const Part& part, const Shape& shape) {
   Building& building = *machine_.building;
   Surface& surface = building.surface;
-  const Vec3 at = shape.scope.origin;
-  const Vec2 shift = shift_of(shape);
+  const Moves moves = moves_of(shape);
   const std::size_t first = surface.points.size(), first_polygon = surface.polygons();
 
   surface.points.resize(first + part.points.count);
   const Vec3* const points = store_.points.data() + part.points.first;
-  for (std::size_t i = 0; i < part.points.count; ++i) surface.points[first + i] = points[i] + at;
+  for (std::size_t i = 0; i < part.points.count; ++i)
+    surface.points[first + i] = points[i] + moves.by;
   const auto uvs = store_.uvs.begin() + part.points.first;
   surface.uvs.insert(surface.uvs.end(), uvs, uvs + part.points.count);
   const auto normals = store_.normals.begin() + part.polygons.first;
@@ -192,19 +204,16 @@ void Placer::put(const Part& part, const Shape& shape) {
     surface.ends[first_polygon + i] = static_cast<uint32_t>(first) + ends[i];
   }
   for (std::size_t i = 0; i < part.polygons.count; ++i) {
-    const Vec2 scale = part.hangs ? store_.hangs[part.polygons.first + i] : Vec2{};
-    const bool hangs = scale.x != 0;
-    note_polygon(hangs ? shape.uv_frame : none);
-    if (!hangs) continue;
-    for (uint32_t k = surface.begin(first_polygon + i); k < surface.ends[first_polygon + i]; ++k) {
-      surface.uvs[k] = surface.uvs[k] + Vec2{shift.x * scale.x, shift.y * scale.y};
-    }
+    Hang hang = part.hangs ? store_.hangs[part.polygons.first + i] : Hang{};
+    if (hang.frame != none) hang.frame = shape.uv_frame;
+    move_texture(surface, first_polygon + i, hang, moves);
+    if (open_ > 0) hung_.push_back(hang);
   }
   for (const Surface::Run& run : PartStore::slice(store_.runs, part.runs)) {
     machine_.add_run(run.symbol, run.material, static_cast<uint32_t>(first_polygon) + run.end);
   }
   for (Surface::Placed placed : PartStore::slice(store_.placed, part.placed)) {
-    placed.origin = placed.origin + at;
+    placed.origin = placed.origin + moves.by;
     placed.begin += static_cast<uint32_t>(first_polygon);
     placed.end += static_cast<uint32_t>(first_polygon);
     surface.placed.push_back(placed);
@@ -284,11 +293,11 @@ void Placer::keep_surface(Part& part, const Before& before) {
   append(store_.normals, tail(surface.normals, before.polygons));
   for (const uint32_t end : tail(surface.ends, before.polygons))
     store_.ends.push_back(end - first_point);
-  store_.hangs.resize(store_.ends.size());
-  for_each_hung(before, [&](std::size_t polygon, Vec2 scale) {
-    store_.hangs[part.polygons.first + polygon - before.polygons] = scale;
-    part.hangs = true;
-  });
+  for (Hang hang : std::span(hung_).subspan(before.polygons - first_polygon_)) {
+    if (hang.frame != before.frame) hang.frame = none;
+    part.hangs = part.hangs || hang.frame != none || hang.level;
+    store_.hangs.push_back(hang);
+  }
   part.runs.first = static_cast<uint32_t>(store_.runs.size());
   for (Surface::Run run : tail(surface.runs, before.runs > 0 ? before.runs - 1 : 0)) {
     if (run.end <= first_polygon) continue;
@@ -304,38 +313,26 @@ void Placer::keep_surface(Part& part, const Before& before) {
   }
 }
 
-/// f(polygon, repeats a metre) for those whose texture runs on from outside the part.
-template <class F>
-void Placer::for_each_hung(const Before& before, F f) const {
-  if (before.frame == none) return;
-  const Surface& surface = machine_.building->surface;
-  std::size_t polygon = before.polygons;
-  for (std::size_t r = before.runs > 0 ? before.runs - 1 : 0; r < surface.runs.size(); ++r) {
-    const Vec2 metres = machine_.material(surface.runs[r].material).metres;
-    for (; polygon < surface.runs[r].end; ++polygon) {
-      if (hung_[polygon - first_polygon_] == before.frame)
-        f(polygon, Vec2{1 / metres.x, 1 / metres.y});
-    }
-  }
-}
-
 /// The same arithmetic as put().
 void Placer::settle(const Shape& shape, const Before& before) {
-  Surface& surface = machine_.building->surface;
-  const Vec3 at = shape.scope.origin;
+  Building& building = *machine_.building;
+  Surface& surface = building.surface;
+  const Moves moves = moves_of(shape);
   for (std::size_t i = before.points; i < surface.points.size(); ++i) {
-    surface.points[i] = surface.points[i] + at;
+    surface.points[i] = surface.points[i] + moves.by;
   }
   for (std::size_t i = before.placed; i < surface.placed.size(); ++i) {
-    surface.placed[i].origin = surface.placed[i].origin + at;
+    surface.placed[i].origin = surface.placed[i].origin + moves.by;
   }
-  const Vec2 shift = shift_of(shape);
-  for_each_hung(before, [&](std::size_t polygon, Vec2 scale) {
-    hung_[polygon - first_polygon_] = shape.uv_frame;
-    for (uint32_t k = surface.begin(polygon); k < surface.ends[polygon]; ++k) {
-      surface.uvs[k] = surface.uvs[k] + Vec2{shift.x * scale.x, shift.y * scale.y};
-    }
-  });
+  for (std::size_t i = before.drips; i < building.drips.size(); ++i) {
+    building.drips[i].move(moves.by);
+  }
+  for (std::size_t i = before.polygons; i < surface.polygons(); ++i) {
+    Hang& hang = hung_[i - first_polygon_];
+    if (hang.frame != before.frame) hang.frame = none;
+    if (hang.frame != none) hang.frame = shape.uv_frame;
+    move_texture(surface, i, hang, moves);
+  }
 }
 
 }  // namespace mansard

@@ -34,12 +34,15 @@ class Placer {
   void note_depth(uint32_t depth) {
     if (depth > deepest_) deepest_ = depth;
   }
-  /// The polygon drawn last has its texture from a frame of the pool, or from none.
-  void note_polygon(uint32_t uv_frame) {
-    if (open_ > 0) hung_.push_back(uv_frame);
+  /// The polygon drawn last has its texture in the frame, repeated every so many metres.
+  void note_polygon(const UvFrame& frame, Vec2 metres) {
+    if (open_ == 0) return;
+    hung_.push_back({frame.number, frame.level, frame.shift_u * (1 / metres.x),
+                     frame.shift_v * (1 / metres.y)});
   }
+  /// It has its texture's coordinates from elsewhere.
   void forget_texture() {
-    if (open_ > 0) hung_.back() = Shape::none;
+    if (open_ > 0) hung_.back() = {};
   }
 
  private:
@@ -51,6 +54,12 @@ class Placer {
   };
   /// The machine before a part was derived.
   struct Before;
+  /// Of a part to its place.
+  struct Moves {
+    Vec3 by;       ///< from the origin
+    Vec3 on_wall;  ///< from where the texture that it hangs on begins
+    Vec3 up;       ///< from the building's foot
+  };
 
   Seen& seen(const Shape& shape);
   PartKey key_of(const Shape& shape, uint32_t reads) const;
@@ -61,9 +70,9 @@ class Placer {
   void keep(const Shape& shape, const Before& before, uint32_t reads);
   void keep_surface(Part& part, const Before& before);
   void settle(const Shape& shape, const Before& before);
-  Vec2 shift_of(const Shape& shape) const;
-  template <class F>
-  void for_each_hung(const Before& before, F f) const;
+  Moves moves_of(const Shape& shape) const;
+  static void move_texture(Surface& surface, std::size_t polygon, const Hang& hang,
+                           const Moves& moves);
   static void count(std::vector<PartCount>& counts, std::size_t first);
 
   Machine& machine_;
@@ -73,7 +82,7 @@ class Placer {
   int open_ = 0;  ///< parts being derived, one in the other
   uint32_t deepest_ = 0;
   uint32_t first_polygon_ = 0;  ///< of the outermost of them
-  std::vector<uint32_t> hung_;  ///< uv frames, by polygon since that
+  std::vector<Hang> hung_;      ///< by polygon since that
   std::vector<PartCount> terminals_, taken_;
 };
 

@@ -83,6 +83,7 @@ void Machine::note_drip(const Shape& shape, uint32_t symbol) {
   Vec3 from = s.origin, to = s.origin + s.x * s.size.x;
   if (mirrored(s)) std::swap(from, to);
   const double top = s.origin.y + s.size.y;
+  reads |= read_bits::aloud;
   building->drips.push_back(
       {from, to, s.z, top, s.size.z, rate, mix(shape.seed, hash_of("stain"))});
 }

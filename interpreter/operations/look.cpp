@@ -95,14 +95,14 @@ void uv(Context& c, std::optional<double> across, std::optional<double> up, Opti
   const Vec2 extent = high - low;
   const auto in_space = [&](Vec2 d) { return face.scope.direction({d.x, d.y, 0}); };
   const Vec2 corner = u * low.x + v * low.y;
-  UvFrame frame{face.scope.at({corner.x, corner.y, 0}), in_space(u), in_space(v), face.scope.z,
-                across.has_value()};
+  Vec3 along = in_space(u), upwards = in_space(v);
   if (across && extent.x > 0 && extent.y > 0) {
-    frame.u = frame.u * (*across / extent.x);
-    frame.v = frame.v * (*up / extent.y);
+    along = along * (*across / extent.x);
+    upwards = upwards * (*up / extent.y);
   }
-  c.shape.uv_frame = static_cast<uint32_t>(c.machine.uv_frames.size());
-  c.machine.uv_frames.push_back(frame);
+  UvFrame frame{face.scope.at({corner.x, corner.y, 0}), along, upwards, face.scope.z};
+  frame.in_repeats = across.has_value();
+  c.machine.add_frame(c.shape, frame);
 }
 
 void stain(Context& c, double rate) {
