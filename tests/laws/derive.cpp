@@ -24,6 +24,10 @@ Script Script::text(const std::string& text, CompileOptions options) {
   return compiled(std::make_unique<OneText>(text), "test.style", options);
 }
 
+Script Script::text(const std::string& text, std::unique_ptr<MeshSource> meshes) {
+  return compiled(std::make_unique<OneText>(text), "test.style", {}, std::move(meshes));
+}
+
 Script Script::file(const std::string& path, CompileOptions options) {
   return compiled(std::make_unique<DiskFiles>(), std::string(MANSARD_ROOT) + "/" + path, options);
 }
@@ -34,12 +38,12 @@ Script Script::files(std::unique_ptr<Files> files, const std::string& path,
 }
 
 Script Script::compiled(std::unique_ptr<Files> files, const std::string& path,
-                        const CompileOptions& options) {
+                        const CompileOptions& options, std::unique_ptr<MeshSource> meshes) {
   Script script;
   script.files_ = std::move(files);
   script.library_ = std::make_unique<Library>(
       *script.files_, std::vector<std::string>{MANSARD_ROOT "/styles/library"});
-  script.meshes_ = std::make_unique<NoMeshes>();
+  script.meshes_ = std::move(meshes);
   Diagnostics diagnostics;
   if (script.library_->load(path, diagnostics) && !diagnostics.has_errors()) {
     script.program_ = compile(*script.library_, *script.meshes_, options, diagnostics);

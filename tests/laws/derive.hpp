@@ -16,6 +16,7 @@ namespace mansard::test {
 class Script {
  public:
   static Script text(const std::string& text, CompileOptions options = {});
+  static Script text(const std::string& text, std::unique_ptr<MeshSource> meshes);
   static Script file(const std::string& path, CompileOptions options = {});
   static Script files(std::unique_ptr<Files> files, const std::string& path,
                       CompileOptions options = {});
@@ -36,7 +37,8 @@ class Script {
   std::unique_ptr<Program> program_;
   std::string problems_;
   static Script compiled(std::unique_ptr<Files> files, const std::string& path,
-                         const CompileOptions& options);
+                         const CompileOptions& options,
+                         std::unique_ptr<MeshSource> meshes = std::make_unique<NoMeshes>());
 };
 
 /// `rect:10x8` and its like, with neighbours marked.
