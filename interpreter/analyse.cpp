@@ -180,7 +180,6 @@ void Compiler::check_call_types(const Call& call) {
     const std::size_t known = operation.parameter_of(i);
     const auto type = static_type(call.args[i].value);
     if (!type) continue;
-    refuse_later_word(call, known, call.args[i].value);
     std::optional<Type> wanted;
     switch (operation.parameters[known].type) {
       case ArgType::sizes:
@@ -253,17 +252,6 @@ void Compiler::check_material(const Call& call) {
          help.empty() ? "write them in the block Materials: " + std::string(name.string()) +
                             " : color(\"tan\")"
                       : help);
-}
-
-void Compiler::refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const {
-  const ExprNode& n = program_.nodes[id];
-  if (n.kind != ExprKind::constant || program_.constants[n.first].type != Type::string) return;
-  const std::string_view name = call.operation->parameter_name(parameter);
-  const std::string_view word = program_.constants[n.first].string();
-  if (!is_later_word(name, word)) return;
-  refuse(program_.spans[id], "'" + std::string(call.operation->name) + "' with " +
-                                 std::string(name) + " \"" + std::string(word) +
-                                 "\" comes with a later version of Mansard");
 }
 
 /// Of a variable that set() changes, what it is without.

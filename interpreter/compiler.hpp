@@ -195,7 +195,6 @@ class Compiler {
   void check_setting_type(const Call& call);
   std::optional<Type> declared_type(ExprId id) const;
   void add_writer(Diagnostic& d, ExprId id) const;
-  void refuse_later_word(const Call& call, std::size_t parameter, ExprId id) const;
   void check_sizes(const Call& call);
   void check_picture(const Call& call);
   void check_material(const Call& call);

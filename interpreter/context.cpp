@@ -1,7 +1,7 @@
 // Arguments and parts of an operation being carried out.
 #include <cmath>
 
-#include "interpreter/machine.hpp"
+#include "interpreter/context.hpp"
 #include "interpreter/messages.hpp"
 
 namespace mansard {

@@ -1,5 +1,5 @@
 // The loop of the derivation: take a shape, choose a production, carry out its successor.
-#include "interpreter/machine.hpp"
+#include "interpreter/context.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -317,6 +317,15 @@ void Machine::adopt(Shape& shape, Polygon&& polygon) {
   shape.geometry = polygons_.take();
   polygons_[shape.geometry].polygon = std::move(polygon);
   polygons_[shape.geometry].natural = size;
+}
+
+void Machine::adopt(Shape& shape, Mesh&& mesh) {
+  const Box3 box = bounds(mesh.points);
+  shape.scope.origin = shape.scope.at(box.low);
+  shape.scope.size = box.size();
+  shape.form = Form::mesh;
+  shape.ground = false;
+  shape.geometry = add_mesh(std::move(mesh));
 }
 
 uint32_t Machine::add_mesh(Mesh&& mesh) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interpreter/context.hpp"
 #include "interpreter/function.hpp"
 #include "interpreter/messages.hpp"
 

@@ -90,11 +90,7 @@ std::optional<Shape> mitred(Machine& machine, const Shape& face, double depth) {
   }
   if (mesh.faces.empty()) return {};
   Shape solid = face;
-  const Box3 box = bounds(mesh.points);
-  solid.scope.origin = face.scope.at(box.low);
-  solid.scope.size = box.size();
-  solid.geometry = machine.add_mesh(std::move(mesh));
-  solid.form = Form::mesh;
+  machine.adopt(solid, std::move(mesh));
   solid.cuts = 0;
   solid.open = side_back;
   solid.uv_frame = Shape::none;

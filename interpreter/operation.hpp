@@ -63,8 +63,6 @@ std::span<const Operation> operations();
 const Operation* find_operation(std::string_view name);
 /// Names that a later version brings: refused with a message that says so.
 bool is_later_operation(std::string_view name);
-/// Words for a parameter that a later version brings: "XS" for a split's `axis`.
-bool is_later_word(std::string_view parameter, std::string_view word);
 
 /// How many parts "inside | border" names, and the name of part i.
 constexpr std::size_t parts_in(std::string_view parts) {

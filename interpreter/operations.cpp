@@ -216,12 +216,6 @@ constexpr std::array rows{
 constexpr std::array<std::string_view, 5> later{"union", "subtract", "intersect", "layers",
                                                 "relayout"};
 
-struct LaterWords {
-  std::string_view parameter;
-  std::array<std::string_view, 10> words;
-};
-constexpr std::array<LaterWords, 0> later_words{};
-
 }  // namespace
 
 std::span<const Operation> operations() { return rows; }
@@ -260,13 +254,6 @@ std::string Operation::names_by_place() const {
 
 bool is_later_operation(std::string_view name) {
   return std::ranges::find(later, name) != later.end();
-}
-
-bool is_later_word(std::string_view parameter, std::string_view word) {
-  return std::ranges::any_of(later_words, [&](const LaterWords& known) {
-    return known.parameter == parameter && !word.empty() &&
-           std::ranges::find(known.words, word) != known.words.end();
-  });
 }
 
 }  // namespace mansard

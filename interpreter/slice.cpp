@@ -35,10 +35,7 @@ std::vector<Shape> mesh_slabs(Machine& machine, const Shape& shape, Axis axis, d
   Mesh part = clip(clip(scaled, direction, high), -direction, -low);
   if (part.faces.empty()) return {};
   Shape piece = shape;
-  const Box3 box = bounds(part.points);
-  piece.scope.origin = shape.scope.at(box.low);
-  piece.scope.size = box.size();
-  piece.geometry = machine.add_mesh(std::move(part));
+  machine.adopt(piece, std::move(part));
   return {piece};
 }
 

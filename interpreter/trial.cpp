@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "interpreter/machine.hpp"
+#include "interpreter/context.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/operations/functions.hpp"
 

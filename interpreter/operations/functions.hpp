@@ -1,7 +1,7 @@
 // The operations, one C++ function each. Their signatures are their check.
 #pragma once
 
-#include "interpreter/machine.hpp"
+#include "interpreter/context.hpp"
 
 namespace mansard::operation {
 

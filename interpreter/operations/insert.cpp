@@ -61,10 +61,8 @@ void end_at_outline(Context& c, const Shape& face) {
     shape.form = Form::nothing;
     return;
   }
-  const Box3 box = bounds(left.points);
-  shape.scope.origin = face.scope.at(box.low);
-  shape.scope.size = box.size();
-  shape.geometry = c.machine.add_mesh(std::move(left));
+  shape.scope = face.scope;
+  c.machine.adopt(shape, std::move(left));
 }
 
 }  // namespace

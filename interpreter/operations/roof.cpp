@@ -126,13 +126,8 @@ Shape mesh_shape(Context& c, const Roof& roof) {
     add_flat(mesh, rings, std::move(numbers), face.tag, false);
   }
   Shape solid = c.shape;
-  const Box3 box = bounds(mesh.points);
-  solid.scope.origin = c.shape.scope.at(box.low);
-  solid.scope.size = box.size();
-  solid.form = Form::mesh;
-  solid.ground = false;
   solid.uv_frame = Shape::none;
-  solid.geometry = c.machine.add_mesh(std::move(mesh));
+  c.machine.adopt(solid, std::move(mesh));
   return solid;
 }
 

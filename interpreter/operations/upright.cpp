@@ -119,11 +119,8 @@ void show_dormer(Context& c, const std::vector<DormerFace>& faces,
   }
   if (mesh.faces.empty()) return;
   Shape solid = c.shape;
-  const Box3 box = bounds(mesh.points);
-  solid.scope = {box.low, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, box.size()};
-  solid.form = Form::mesh;
-  solid.ground = false;
-  solid.geometry = c.machine.add_mesh(std::move(mesh));
+  solid.scope = {};
+  c.machine.adopt(solid, std::move(mesh));
   c.machine.show(solid, false);
   c.shape.solid = solid.solid;
 }

@@ -20,7 +20,7 @@ class OneText final : public Files {
 
 }  // namespace
 
-Script Script::text(const std::string& text, CompileOptions options) {
+Script Script::text(const std::string& text, const CompileOptions& options) {
   return compiled(std::make_unique<OneText>(text), "test.style", options);
 }
 
@@ -28,12 +28,12 @@ Script Script::text(const std::string& text, std::unique_ptr<MeshSource> meshes)
   return compiled(std::make_unique<OneText>(text), "test.style", {}, std::move(meshes));
 }
 
-Script Script::file(const std::string& path, CompileOptions options) {
+Script Script::file(const std::string& path, const CompileOptions& options) {
   return compiled(std::make_unique<DiskFiles>(), std::string(MANSARD_ROOT) + "/" + path, options);
 }
 
 Script Script::files(std::unique_ptr<Files> files, const std::string& path,
-                     CompileOptions options) {
+                     const CompileOptions& options) {
   return compiled(std::move(files), path, options);
 }
 

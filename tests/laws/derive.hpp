@@ -15,11 +15,11 @@ namespace mansard::test {
 /// A script that is linked and compiled, from its text or from a file of the project.
 class Script {
  public:
-  static Script text(const std::string& text, CompileOptions options = {});
+  static Script text(const std::string& text, const CompileOptions& options = {});
   static Script text(const std::string& text, std::unique_ptr<MeshSource> meshes);
-  static Script file(const std::string& path, CompileOptions options = {});
+  static Script file(const std::string& path, const CompileOptions& options = {});
   static Script files(std::unique_ptr<Files> files, const std::string& path,
-                      CompileOptions options = {});
+                      const CompileOptions& options = {});
 
   bool good() const { return program_ != nullptr; }
   const std::string& problems() const { return problems_; }  ///< errors as they are printed

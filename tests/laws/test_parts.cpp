@@ -27,8 +27,7 @@ bool same_runs(const Surface& a, const Surface& b) {
 
 bool same_placed(const Surface& a, const Surface& b) {
   return std::ranges::equal(a.placed, b.placed, [](const auto& p, const auto& q) {
-    return p.mesh == q.mesh && p.begin == q.begin && p.end == q.end &&
-           std::memcmp(&p.origin, &q.origin, sizeof p.origin) == 0;
+    return p.mesh == q.mesh && p.begin == q.begin && p.end == q.end && p.origin == q.origin;
   });
 }
 
