@@ -1,6 +1,7 @@
 // Splits along what is measured add up; across it the longest part counts.
 #include <cmath>
 
+#include "interpreter/context.hpp"
 #include "interpreter/measure.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/pattern.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "interpreter/context.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/read_sizes.hpp"
 #include "interpreter/slice.hpp"

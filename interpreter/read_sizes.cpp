@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "interpreter/context.hpp"
 #include "interpreter/measure.hpp"
 #include "interpreter/messages.hpp"
 #include "interpreter/slice.hpp"

@@ -4,6 +4,7 @@
 
 #include "geometry/mesh.hpp"
 #include "interpreter/component.hpp"
+#include "interpreter/context.hpp"
 #include "interpreter/corners.hpp"
 
 namespace mansard {
