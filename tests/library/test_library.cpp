@@ -248,6 +248,26 @@ TEST_CASE("library buildings on real footprints are whole") {
   check_whole(real_footprints(), std::getenv("MANSARD_LONG_TESTS") ? 5 : 25);
 }
 
+TEST_CASE("dormers of the library look over no neighbour") {
+  FootprintSet set = read_footprints(MANSARD_ROOT "/examples/plots.geojson", {});
+  mark_neighbours(set.footprints);
+  const auto on = std::ranges::find(set.footprints, "narrow", &Footprint::id);
+  REQUIRE(on != set.footprints.end());
+  std::size_t seen = 0;
+  for (const Sheet& sheet : chosen_sheets()) {
+    CAPTURE(sheet.style);
+    set_height(*on, sheet.style == "Haussmann" ? 20 : 10);
+    const Script script = script_of(sheet);
+    const Building building = script.derive(*on);
+    for (std::size_t i = 0; i < building.surface.polygons(); ++i) {
+      if (name_of(script, building.surface, i) != "DORMER_GLASS") continue;
+      ++seen;
+      CHECK(std::abs(building.surface.normals[i].x) < 0.9);  // its neighbours stand to the sides
+    }
+  }
+  CHECK(seen > 0);
+}
+
 TEST_CASE("coarse levels of detail keep the mass of library buildings") {
   for (const Sheet& sheet : chosen_sheets()) {
     CAPTURE(sheet.style);
