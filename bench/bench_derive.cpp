@@ -123,11 +123,8 @@ void facade_box_to_obj(benchmark::State& state) {
   const std::string path = (std::filesystem::temp_directory_path() /
                             ("mansard_bench_" + std::to_string(::getpid()) + ".obj"))
                                .string();
-  const Program& program = style.program();
-  std::vector<std::string_view> symbols;
-  for (uint32_t i = 0; i < program.symbols.size(); ++i) symbols.push_back(program.symbols[i]);
-  std::vector<Look> looks;
-  for (const Material& m : program.materials) looks.push_back({m.name, m.color, m.opacity, {}});
+  const auto symbols = symbol_names(style.program());
+  const auto looks = looks_of(style.program());
   Derivation derivation = style.derivation();
   Building building;
   std::size_t bytes = 0;

@@ -61,4 +61,16 @@ std::vector<Footprint> quarter() {
   return std::move(set.footprints);
 }
 
+std::vector<std::string_view> symbol_names(const Program& program) {
+  std::vector<std::string_view> names;
+  for (uint32_t i = 0; i < program.symbols.size(); ++i) names.push_back(program.symbols[i]);
+  return names;
+}
+
+std::vector<Look> looks_of(const Program& program) {
+  std::vector<Look> looks;
+  for (const Material& m : program.materials) looks.push_back({m.name, m.color, m.opacity, {}});
+  return looks;
+}
+
 }  // namespace mansard::bench

@@ -4,8 +4,10 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "formats/surface_writer.hpp"
 #include "geometry/mesh.hpp"
 #include "interpreter/derivation.hpp"
 #include "styles/library.hpp"
@@ -50,5 +52,9 @@ class Compiled {
 /// Equal rectangles side by side, with ids of their own and so with seeds of their own.
 std::vector<Footprint> rectangles(std::size_t count, double width, double depth);
 std::vector<Footprint> quarter();
+
+/// What writers want to know of a program.
+std::vector<std::string_view> symbol_names(const Program& program);
+std::vector<Look> looks_of(const Program& program);
 
 }  // namespace mansard::bench
