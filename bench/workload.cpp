@@ -46,7 +46,8 @@ std::vector<Footprint> rectangles(std::size_t count, double width, double depth)
   constexpr double gap = 4;
   for (std::size_t i = 0; i < count; ++i) {
     const double x = static_cast<double>(i % row) * (width + gap);
-    const double y = static_cast<double>(i / row) * (depth + gap);
+    const std::size_t rows_before = i / row;
+    const double y = static_cast<double>(rows_before) * (depth + gap);
     Footprint& footprint = all.emplace_back();
     footprint.id = "plot " + std::to_string(i);
     footprint.polygon = rectangle(width, depth);
