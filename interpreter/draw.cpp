@@ -94,7 +94,7 @@ void Machine::draw(const Shape& shape, uint32_t symbol) {
     case Form::line:
       return;
     case Form::rectangle:
-      draw_rectangle(shape.scope, texture_frame(shape, shape.scope), look);
+      draw_rectangle(shape.scope, texture_frame(shape, shape.scope, look), look);
       break;
     case Form::polygon:
       draw_polygon(shape, look, 0, false);
@@ -160,19 +160,22 @@ UvFrame Machine::frame_on(const Scope& face) const {
 constexpr double near_enough = 0.7;  ///< cosine: planes at less than 45 degrees share a frame
 
 /// The shape's texture frame, so that textures run on across splits; without one the face's own.
-UvFrame Machine::texture_frame(const Shape& shape, const Scope& face) const {
+/// Only pictures are folded round corners.
+UvFrame Machine::texture_frame(const Shape& shape, const Scope& face, uint32_t look) const {
   if (shape.uv_frame == Shape::none) return frame_on(face);
   const UvFrame& wall = uv_frames[shape.uv_frame];
-  return std::abs(dot(wall.normal, face.z)) > near_enough ? wall
-                                                          : folded(wall, face.origin, face.z);
+  if (std::abs(dot(wall.normal, face.z)) > near_enough) return wall;
+  if (!material(look).has_pictures()) return {face.origin, face.x, face.y, face.z};
+  return folded(wall, face.origin, face.z);
 }
 
 /// Likewise of a polygon, which may lie askew in the shape's scope.
-UvFrame Machine::texture_frame(const Shape& shape, std::span<const Vec3> loop, Vec3 normal) const {
+UvFrame Machine::texture_frame(const Shape& shape, std::span<const Vec3> loop, Vec3 normal,
+                               uint32_t look) const {
   const bool framed = shape.uv_frame != Shape::none;
   UvFrame frame = framed ? uv_frames[shape.uv_frame] : frame_on(shape.scope);
   if (std::abs(dot(frame.normal, normal)) >= near_enough) return frame;
-  if (framed) return folded(frame, loop[0], normal);
+  if (framed && material(look).has_pictures()) return folded(frame, loop[0], normal);
   frame.u = frame.shift_u = normalized(loop[1] - loop[0]);
   frame.v = frame.shift_v = cross(normal, frame.u);
   return frame;
@@ -201,7 +204,7 @@ void Machine::push_polygon(std::span<const Vec3> loop, const Shape& shape, uint3
   const double size = length(area);
   if (!(size > thin * thin)) return;
   const Vec3 normal = area * (1 / size);
-  push_face(loop, normal, texture_frame(shape, loop, normal), look);
+  push_face(loop, normal, texture_frame(shape, loop, normal, look), look);
 }
 
 /// Most of what is ever drawn: the scope knows the normal.
@@ -241,7 +244,7 @@ void Machine::draw_box(const Shape& shape, uint32_t look) {
   for (int side = 0; side < 6; ++side) {
     if (shape.open & (1 << side)) continue;
     const Scope face = box_side_scope(shape.scope, side);
-    draw_rectangle(face, texture_frame(shape, face), look);
+    draw_rectangle(face, texture_frame(shape, face, look), look);
   }
 }
 
@@ -249,7 +252,7 @@ void Machine::draw_prism(const Shape& shape, uint32_t look) {
   const uint32_t walls = prism_walls(*this, shape);
   for (uint32_t i = 0; i < walls; ++i) {
     const Scope wall = prism_wall(*this, shape, i).scope;
-    draw_rectangle(wall, texture_frame(shape, wall), look);
+    draw_rectangle(wall, texture_frame(shape, wall, look), look);
   }
   draw_polygon(shape, look, prism_height(shape), false);
   if (!(shape.open & prism_base(shape))) draw_polygon(shape, look, 0, true);

@@ -255,8 +255,9 @@ class Machine {
   std::span<const uint32_t> own_looks(const Mesh& mesh);
   static const ElementTable::Choice& choose_element(const ElementTable& table, const Shape& shape);
   bool draw_element(const Shape& shape, uint32_t table);
-  UvFrame texture_frame(const Shape& shape, const Scope& face) const;
-  UvFrame texture_frame(const Shape& shape, std::span<const Vec3> loop, Vec3 normal) const;
+  UvFrame texture_frame(const Shape& shape, const Scope& face, uint32_t look) const;
+  UvFrame texture_frame(const Shape& shape, std::span<const Vec3> loop, Vec3 normal,
+                        uint32_t look) const;
   void push_polygon(std::span<const Vec3> loop, const Shape& shape, uint32_t look);
   void push_face(std::span<const Vec3> loop, Vec3 normal, const UvFrame& frame, uint32_t look);
   void close_run(uint32_t symbol, uint32_t material);
