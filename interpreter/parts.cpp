@@ -60,7 +60,7 @@ void PartStore::clear() {
   uvs.clear();
   ends.clear();
   normals.clear();
-  hangs.clear();
+  hung.clear();
   runs.clear();
   placed.clear();
   counts.clear();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
-#include "interpreter/uv_frame.hpp"
+#include "interpreter/hanging.hpp"
 
 namespace mansard {
 
@@ -47,7 +47,7 @@ struct Part {
   uint32_t shapes = 0, operations = 0, pieces = 0, calls = 0;
   uint32_t depth = 0;  ///< of the shape tree below it
   uint32_t reads = 0;
-  bool hangs = false;  ///< some texture runs on from outside
+  bool hangs = false;  ///< some texture moves otherwise than the part
 };
 
 /// One a thread. It forgets all when it grows large, which costs time but changes nothing.
@@ -71,7 +71,7 @@ class PartStore {
   std::vector<Vec2> uvs;
   std::vector<uint32_t> ends;  ///< from the part's first point
   std::vector<Vec3> normals;
-  std::vector<Hang> hangs;              ///< by polygon
+  Hangings hung;                        ///< by polygon
   std::vector<Surface::Run> runs;       ///< ends from the part's first polygon
   std::vector<Surface::Placed> placed;  ///< likewise
   std::vector<PartCount> counts;

@@ -17,9 +17,8 @@ constexpr uint32_t once_only =
 struct Placer::Before {
   std::size_t points, polygons, runs, placed, drips, terminals, taken, shapes, operations, pieces,
       calls, materials;
-  uint32_t frame;  ///< that textures run on in, moved to the part's origin; or none
 
-  Before(const Machine& machine, const Placer& placer, uint32_t uv_frame)
+  Before(const Machine& machine, const Placer& placer)
       : points(machine.building->surface.points.size()),
         polygons(machine.building->surface.polygons()),
         runs(machine.building->surface.runs.size()),
@@ -31,8 +30,7 @@ struct Placer::Before {
         operations(machine.building->operations),
         pieces(machine.parts),
         calls(machine.calls_),
-        materials(machine.building->materials.size()),
-        frame(uv_frame) {}
+        materials(machine.building->materials.size()) {}
 };
 
 Placer::Placer(Machine& machine)
@@ -41,6 +39,7 @@ Placer::Placer(Machine& machine)
 void Placer::reset(bool shares) {
   shares_ = shares;
   open_ = 0;
+  frame_ = none;
   hung_.clear();
   terminals_.clear();
   taken_.clear();
@@ -84,8 +83,9 @@ void Placer::derive(Shape& shape) {
     machine_.add_frame(shape, moved);
   }
   const double foot = std::exchange(machine_.base_elevation, 0);
+  const uint32_t around = std::exchange(frame_, shape.uv_frame);
   if (open_++ == 0) first_polygon_ = static_cast<uint32_t>(machine_.building->surface.polygons());
-  const Before before(machine_, *this, shape.uv_frame);
+  const Before before(machine_, *this);
   const uint32_t deepest = std::exchange(deepest_, whole.depth);
   machine_.derive_below(shape);
   machine_.base_elevation = foot;
@@ -96,6 +96,7 @@ void Placer::derive(Shape& shape) {
   if (shares_ && like_it.helps() && !(read & once_only) && same_materials && !store_.full()) {
     keep(whole, before, read);
   }
+  frame_ = around;
   settle(whole, before);
   deepest_ = std::max(deepest_, deepest);
   if (--open_ > 0) return;
@@ -166,23 +167,49 @@ bool Placer::fits(const Part& part, const Shape& shape) const {
          shape.depth + part.depth <= limits.max_depth;
 }
 
-Placer::Moves Placer::moves_of(const Shape& shape) const {
+Moves Placer::moves_of(const Shape& shape) const {
   const Vec3 to = shape.scope.origin;
   const bool hangs = shape.uv_frame != none;
-  return {to,
-          hangs ? to - machine_.uv_frames[shape.uv_frame].origin : Vec3{},
-          {0, to.y - machine_.base_elevation, 0}};
+  return {to, hangs ? to - machine_.uv_frames[shape.uv_frame].origin : Vec3{},
+          to.y - machine_.base_elevation};
 }
 
-void Placer::move_texture(Surface& surface, std::size_t polygon, const Hang& hang,
-                          const Moves& moves) {
-  if (hang.frame == none && !hang.level) return;
-  const Vec3 by = hang.frame == none ? moves.up : moves.on_wall;
-  const Vec2 shift{dot(by, hang.u), dot(by, hang.v)};
-  for (uint32_t k = surface.begin(polygon); k < surface.ends[polygon]; ++k) {
-    surface.uvs[k] = surface.uvs[k] + shift;
-  }
+/// Whether the part hangs on the same wall as the part around it.
+bool Placer::stays_on_wall(const Shape& shape) const {
+  return shape.uv_frame != none && shape.uv_frame == frame_;
 }
+
+/// Moves the textures of a part, polygon by polygon.
+class Placer::Textures {
+ public:
+  Textures(Placer& placer, const Hangings& from, const Moves& moves, bool stays)
+      : placer_(placer), from_(from), moves_(moves), stays_(stays) {}
+
+  /// Gives the kind of hanging in the part around.
+  uint32_t move(Surface& surface, std::size_t polygon, uint32_t kind) {
+    if (kind != kind_) turn_to(kind);
+    if (shift_ == Vec2{}) return around_;
+    for (uint32_t k = surface.begin(polygon); k < surface.ends[polygon]; ++k) {
+      surface.uvs[k] = surface.uvs[k] + shift_;
+    }
+    return around_;
+  }
+
+ private:
+  void turn_to(uint32_t kind) {
+    const Hang hang = from_.of_kind(kind);
+    kind_ = kind;
+    shift_ = moves_.shift(hang);
+    around_ = placer_.hung_.kind({hang.on_wall && stays_, hang.level, hang.u, hang.v});
+  }
+
+  Placer& placer_;
+  const Hangings& from_;
+  const Moves moves_;
+  const bool stays_;
+  uint32_t kind_ = 0, around_ = 0;
+  Vec2 shift_;
+};
 
 void Placer::put(const Part& part, const Shape& shape) {
   Building& building = *machine_.building;
@@ -203,12 +230,7 @@ void Placer::put(const Part& part, const Shape& shape) {
   for (std::size_t i = 0; i < part.polygons.count; ++i) {
     surface.ends[first_polygon + i] = static_cast<uint32_t>(first) + ends[i];
   }
-  for (std::size_t i = 0; i < part.polygons.count; ++i) {
-    Hang hang = part.hangs ? store_.hangs[part.polygons.first + i] : Hang{};
-    if (hang.frame != none) hang.frame = shape.uv_frame;
-    move_texture(surface, first_polygon + i, hang, moves);
-    if (open_ > 0) hung_.push_back(hang);
-  }
+  put_textures(part, shape, moves);
   for (const Surface::Run& run : PartStore::slice(store_.runs, part.runs)) {
     machine_.add_run(run.symbol, run.material, static_cast<uint32_t>(first_polygon) + run.end);
   }
@@ -233,6 +255,21 @@ void Placer::put(const Part& part, const Shape& shape) {
   machine_.calls_ += part.calls;
   machine_.reads |= part.reads;
   note_depth(shape.depth + part.depth);
+}
+
+void Placer::put_textures(const Part& part, const Shape& shape, const Moves& moves) {
+  const std::size_t count = part.polygons.count;
+  if (!part.hangs || (open_ == 0 && !moves.moves_textures())) {
+    if (open_ > 0) hung_.add_loose(count);
+    return;
+  }
+  Surface& surface = machine_.building->surface;
+  const std::size_t first = surface.polygons() - count;
+  Textures textures(*this, store_.hung, moves, stays_on_wall(shape));
+  for (std::size_t i = 0; i < count; ++i) {
+    const uint32_t kind = textures.move(surface, first + i, store_.hung[part.polygons.first + i]);
+    if (open_ > 0) hung_.add(kind);
+  }
 }
 
 /// Sorted by number, each number once.
@@ -293,10 +330,10 @@ void Placer::keep_surface(Part& part, const Before& before) {
   append(store_.normals, tail(surface.normals, before.polygons));
   for (const uint32_t end : tail(surface.ends, before.polygons))
     store_.ends.push_back(end - first_point);
-  for (Hang hang : std::span(hung_).subspan(before.polygons - first_polygon_)) {
-    if (hang.frame != before.frame) hang.frame = none;
-    part.hangs = part.hangs || hang.frame != none || hang.level;
-    store_.hangs.push_back(hang);
+  for (std::size_t i = before.polygons; i < surface.polygons(); ++i) {
+    const uint32_t kind = hung_[i - first_polygon_];
+    store_.hung.add(store_.hung.kind(hung_.of_kind(kind)));
+    part.hangs = part.hangs || kind != 0;
   }
   part.runs.first = static_cast<uint32_t>(store_.runs.size());
   for (Surface::Run run : tail(surface.runs, before.runs > 0 ? before.runs - 1 : 0)) {
@@ -327,11 +364,12 @@ void Placer::settle(const Shape& shape, const Before& before) {
   for (std::size_t i = before.drips; i < building.drips.size(); ++i) {
     building.drips[i].move(moves.by);
   }
+  const bool stays = stays_on_wall(shape);
+  if (!moves.moves_textures() && (stays || open_ == 1)) return;
+  Textures textures(*this, hung_, moves, stays);
   for (std::size_t i = before.polygons; i < surface.polygons(); ++i) {
-    Hang& hang = hung_[i - first_polygon_];
-    if (hang.frame != before.frame) hang.frame = none;
-    if (hang.frame != none) hang.frame = shape.uv_frame;
-    move_texture(surface, i, hang, moves);
+    uint32_t& kind = hung_[i - first_polygon_];
+    kind = textures.move(surface, i, kind);
   }
 }
 

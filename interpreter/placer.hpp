@@ -8,6 +8,7 @@
 
 #include "interpreter/parts.hpp"
 #include "interpreter/shape.hpp"
+#include "interpreter/uv_frame.hpp"
 
 namespace mansard {
 
@@ -37,12 +38,14 @@ class Placer {
   /// The polygon drawn last has its texture in the frame, repeated every so many metres.
   void note_polygon(const UvFrame& frame, Vec2 metres) {
     if (open_ == 0) return;
-    hung_.push_back({frame.number, frame.level, frame.shift_u * (1 / metres.x),
-                     frame.shift_v * (1 / metres.y)});
+    const bool on_wall = frame.number != Shape::none && frame.number == frame_;
+    if (!on_wall && !frame.level) return hung_.add(0);
+    hung_.add(hung_.kind(
+        {on_wall, frame.level, frame.shift_u * (1 / metres.x), frame.shift_v * (1 / metres.y)}));
   }
   /// It has its texture's coordinates from elsewhere.
   void forget_texture() {
-    if (open_ > 0) hung_.back() = {};
+    if (open_ > 0) hung_[hung_.size() - 1] = 0;
   }
 
  private:
@@ -54,25 +57,20 @@ class Placer {
   };
   /// The machine before a part was derived.
   struct Before;
-  /// Of a part to its place.
-  struct Moves {
-    Vec3 by;       ///< from the origin
-    Vec3 on_wall;  ///< from where the texture that it hangs on begins
-    Vec3 up;       ///< from the building's foot
-  };
+  class Textures;
 
   Seen& seen(const Shape& shape);
   PartKey key_of(const Shape& shape, uint32_t reads) const;
   uint64_t word_of(const Shape& shape, uint32_t reads) const;
   bool fits(const Part& part, const Shape& shape) const;
   void put(const Part& part, const Shape& shape);
+  void put_textures(const Part& part, const Shape& shape, const Moves& moves);
   void derive(Shape& shape);
   void keep(const Shape& shape, const Before& before, uint32_t reads);
   void keep_surface(Part& part, const Before& before);
   void settle(const Shape& shape, const Before& before);
   Moves moves_of(const Shape& shape) const;
-  static void move_texture(Surface& surface, std::size_t polygon, const Hang& hang,
-                           const Moves& moves);
+  bool stays_on_wall(const Shape& shape) const;
   static void count(std::vector<PartCount>& counts, std::size_t first);
 
   Machine& machine_;
@@ -81,8 +79,9 @@ class Placer {
   bool shares_ = true;
   int open_ = 0;  ///< parts being derived, one in the other
   uint32_t deepest_ = 0;
-  uint32_t first_polygon_ = 0;  ///< of the outermost of them
-  std::vector<Hang> hung_;      ///< by polygon since that
+  uint32_t frame_ = Shape::none;  ///< that the innermost of them hangs on
+  uint32_t first_polygon_ = 0;    ///< of the outermost of them
+  Hangings hung_;                 ///< by polygon since that
   std::vector<PartCount> terminals_, taken_;
 };
 

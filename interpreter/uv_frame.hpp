@@ -17,11 +17,4 @@ struct UvFrame {
   uint32_t number = Shape::none;  ///< in the pool; none for a frame that belongs to one shape
 };
 
-/// What becomes of a face's texture when the face moves with the part that it belongs to.
-struct Hang {
-  uint32_t frame = Shape::none;  ///< of the pool, in which it runs on from outside the part
-  bool level = false;            ///< if it does not: whether its height counts
-  Vec3 u, v;                     ///< repeats that u and v grow by, a metre
-};
-
 }  // namespace mansard
