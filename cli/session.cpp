@@ -25,7 +25,9 @@ void DiskMeshes::keep_within(const Library& library) {
   std::ranges::sort(folders);
   folders.erase(std::unique(folders.begin(), folders.end()), folders.end());
   const std::scoped_lock lock(mutex_);
+  if (folders == folders_) return;
   folders_ = std::move(folders);
+  picture_problems_.clear();
 }
 
 const Mesh* DiskMeshes::mesh(const std::string& path, std::string& problem) {
@@ -51,7 +53,11 @@ bool DiskMeshes::has_picture(const std::string& path) {
 std::string DiskMeshes::picture_problem(const std::string& path) {
   const std::scoped_lock lock(mutex_);
   const auto [it, fresh] = picture_problems_.try_emplace(path);
-  if (fresh) it->second = mansard::picture_problem(path);
+  if (!fresh) return it->second;
+  MeshLimits limits;
+  limits.folders = folders_;
+  const std::string why = refusal(path, limits);
+  it->second = why.empty() ? mansard::picture_problem(path) : "it " + why;
   return it->second;
 }
 

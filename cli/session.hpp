@@ -37,7 +37,7 @@ class DiskMeshes final : public MeshSource {
   /// By the folders that the reading was bound to, then by path.
   std::map<std::vector<std::string>, std::unordered_map<std::string, Entry>> known_;
   std::unordered_map<std::string, bool> pictures_;
-  std::unordered_map<std::string, std::string> picture_problems_;
+  std::unordered_map<std::string, std::string> picture_problems_;  ///< within folders_
 };
 
 class Session {

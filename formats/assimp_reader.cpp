@@ -30,7 +30,7 @@ class AllowedFiles final : public Assimp::DefaultIOSystem {
     if (why.empty() && std::string_view(mode).find_first_of("wa+") == std::string_view::npos)
       return Assimp::DefaultIOSystem::Open(path, mode);
     if (problem.empty() && !why.empty() && why != "no such file")
-      problem = "names '" + std::string(path) + "', which " + why;
+      problem = "it names '" + std::string(path) + "', which " + why;
     return nullptr;
   }
   std::string problem;  ///< the first
@@ -142,8 +142,8 @@ bool read_by_assimp(const std::string& path, const MeshLimits& limits, Mesh& mes
   for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
     mesh.materials.push_back(convert(*scene->mMaterials[i], path, limits, problem));
   }
-  if (!collected.is_sound()) problem = "has a face of unknown vertices";
-  if (mesh.faces.empty() && problem.empty()) problem = "has no faces";
+  if (!collected.is_sound()) problem = "it has a face of unknown vertices";
+  if (mesh.faces.empty() && problem.empty()) problem = "it has no faces";
   return problem.empty();
 }
 

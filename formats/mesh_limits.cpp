@@ -68,7 +68,7 @@ std::string named_picture(const fs::path& folder, const std::string& name, const
   const std::string why = refusal(path, limits);
   if (why.empty()) return path;
   if (why != "no such file" && why != "is a folder" && problem.empty())
-    problem = "has the picture '" + path + "', which " + why;
+    problem = "it has the picture '" + path + "', which " + why;
   return {};
 }
 

@@ -76,8 +76,8 @@ std::string how_it_ended(pid_t process, const MeshLimits& limits) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
-    return "takes more than " + text_of(limits.seconds) + " seconds to read";
-  return "is broken: the reader stops in the middle of it";
+    return "it takes more than " + text_of(limits.seconds) + " seconds to read";
+  return "it is broken: the reader stops in the middle of it";
 }
 
 }  // namespace

@@ -42,14 +42,14 @@ void weld(Mesh& mesh) {
 std::string fault(const Mesh& mesh) {
   constexpr uint32_t most_corners = 10000;
   for (const Vec3& p : mesh.points) {
-    if (!std::isfinite(p.x + p.y + p.z)) return "has a vertex that is not finite";
+    if (!std::isfinite(p.x + p.y + p.z)) return "it has a vertex that is not finite";
     if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > furthest_point)
-      return "reaches further than a million km";
+      return "it reaches further than a million km";
   }
   const auto many = std::ranges::find_if(
       mesh.faces, [](const Mesh::Face& face) { return face.end - face.begin > most_corners; });
   if (many == mesh.faces.end()) return {};
-  return "has a face of " + std::to_string(many->end - many->begin) + " corners, more than " +
+  return "it has a face of " + std::to_string(many->end - many->begin) + " corners, more than " +
          std::to_string(most_corners);
 }
 
@@ -140,6 +140,7 @@ class Tidied {
 std::optional<Mesh> read_mesh(const std::string& path, std::string& problem,
                               const MeshLimits& limits) {
   problem = refusal(path, limits);
+  if (!problem.empty() && problem != "no such file") problem.insert(0, "it ");
   if (!problem.empty()) return {};
   std::string ending = fs::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -161,7 +162,7 @@ std::optional<Mesh> tidied(Mesh mesh, std::string& problem) {
   Tidied tidied(mesh);
   for (const Mesh::Face& face : mesh.faces) tidied.add(face);
   if (tidied.to.faces.empty()) {
-    problem = "has no faces with an area";
+    problem = "it has no faces with an area";
     return {};
   }
   if (is_closed(mesh) && volume(mesh) < 0) turn(tidied.to);

@@ -203,7 +203,7 @@ std::optional<ObjFile> read_obj_text(std::string content, const fs::path& folder
   std::string warning, error;
   tinyobj::LoadObjWithCallback(in, callbacks(), &reading, &materials, &warning, &error);
   problem = !reading.problem.empty() ? reading.problem : materials.problem;
-  if (problem.empty() && reading.file.mesh.faces.empty()) problem = "has no faces";
+  if (problem.empty() && reading.file.mesh.faces.empty()) problem = "it has no faces";
   if (!problem.empty()) return {};
   reading.file.objects.back().end = static_cast<uint32_t>(reading.file.mesh.faces.size());
   std::erase_if(reading.file.objects, [](const auto& o) { return o.begin == o.end; });

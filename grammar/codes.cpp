@@ -185,8 +185,9 @@ them. A child's variable keeps the annotations of the one that it overrides.
 Change the value, or what the annotation says.)"},
     CodePage{
         "W020", "The picture of a texture is missing, or is none that can be used.",
-        R"(The file was looked for beside the script that names it, then in each --style-path. The surfaces keep
-their plain colour.
+        R"(The file was looked for beside the script that names it, then in each --style-path. It is not used where
+it lies outside the folders of the scripts, of --style-path and of the library. The surfaces keep their plain
+colour.
 
     Materials { WALL : texture("brick.jpg", 2, 1) }
 

@@ -70,7 +70,7 @@ TEST_CASE("a mesh outside the project is not read, whatever way leads there") {
   outside.write("door.ply", ply("ascii", "3", "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
   const MeshLimits limits = within(project.string());
   const std::string why =
-      "lies outside the folders of the scripts, of --style-path and of the library";
+      "it lies outside the folders of the scripts, of --style-path and of the library";
   CHECK(problem_of(outside / "door.obj", limits) == why);
   CHECK(problem_of(outside / "door.ply", limits) == why);
   CHECK(problem_of(project / ("../" + fs::path(outside.string()).filename().string() + "/door.obj"),
@@ -94,7 +94,7 @@ TEST_CASE("what a mesh names is not read outside the project either") {
         "'" + secret + "' can not be read: it " + why);
   project.write("a.mtl", "newmtl a\nmap_Kd " + secret + "\n");
   CHECK(problem_of(project.write("b.obj", "mtllib a.mtl\nusemtl a\n" + triangle), limits) ==
-        "has the picture '" + secret + "', which " + why);
+        "it has the picture '" + secret + "', which " + why);
   const std::string beside = "../" + fs::path(outside.string()).filename().string() + "/secret";
   CHECK(problem_of(project.write("c.gltf", gltf(R"([{"mesh":0}])", beside)), limits).find(why) !=
         std::string::npos);
@@ -106,13 +106,13 @@ TEST_CASE("devices, pipes and folders are no meshes, and do not stop us") {
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
   for (const char* const name : {"a.obj", "a.glb", "a.ply"}) {
     fs::create_symlink("/dev/zero", folder / name);
-    CHECK(problem_of(folder / name) == "is a device or a pipe");
+    CHECK(problem_of(folder / name) == "it is a device or a pipe");
     fs::remove(folder / name);
     fs::create_symlink("pipe", folder / name);
-    CHECK(problem_of(folder / name) == "is a device or a pipe");
+    CHECK(problem_of(folder / name) == "it is a device or a pipe");
     fs::remove(folder / name);
     fs::create_directory(folder / name);
-    CHECK(problem_of(folder / name) == "is a folder");
+    CHECK(problem_of(folder / name) == "it is a folder");
     fs::remove(folder / name);
   }
   CHECK(problem_of(folder.write("b.obj", "mtllib pipe\n" + triangle)) ==
@@ -127,7 +127,8 @@ TEST_CASE("a mesh of a gigabyte is refused before it is read") {
   const Folder folder;
   for (const char* const name : {"a.obj", "a.glb"}) {
     fs::resize_file(folder.write(name, ""), 1ull << 30);  // a hole, on disk nothing
-    CHECK(problem_of(folder / name) == "has 1024 MB, and at most 256 MB are read: make it coarser");
+    CHECK(problem_of(folder / name) ==
+          "it has 1024 MB, and at most 256 MB are read: make it coarser");
   }
   CHECK(problem_of(folder.write("b.obj", "mtllib a.glb\n" + triangle)).find("1024 MB") !=
         std::string::npos);
@@ -136,7 +137,7 @@ TEST_CASE("a mesh of a gigabyte is refused before it is read") {
 TEST_CASE("numbers of meshes are bounded") {
   const Folder folder;
   CHECK(problem_of(folder.write("a.obj", "v 0 0 0\nv 2e9 0 0\nv 0 1 0\nf 1 2 3\n")) ==
-        "reaches further than a million km");
+        "it reaches further than a million km");
   CHECK(problem_of(folder.write("b.ply", ply("ascii", "3", "0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n")))
             .find("finite") != std::string::npos);
   CHECK(!problem_of(folder.write("c.ply", ply("ascii", "3", "0 0 0\n1 0 0\n0 1 0\n3 0 1 99\n")))
@@ -144,7 +145,7 @@ TEST_CASE("numbers of meshes are bounded") {
   std::string face = "f";
   for (int i = 0; i < 20000; ++i) face += " 1 2 3";
   CHECK(problem_of(folder.write("d.obj", triangle + face + "\n")) ==
-        "has a face of 60000 corners, more than 10000");
+        "it has a face of 60000 corners, more than 10000");
 }
 
 TEST_CASE("a mesh without an extent along an axis is one, a line or a point is none") {
@@ -154,10 +155,10 @@ TEST_CASE("a mesh without an extent along an axis is one, a line or a point is n
   REQUIRE(flat);
   CHECK(bounds(flat->points).size().z == 0);
   CHECK(problem_of(folder.write("b.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n")) ==
-        "has no faces with an area");
-  CHECK(problem_of(folder.write("c.obj", "v 0 0 0\nf 1 1 1\n")) == "has no faces with an area");
-  CHECK(problem_of(folder.write("d.obj", "v 0 0 0\n")) == "has no faces");
-  CHECK(problem_of(folder.write("e.obj", "")) == "has no faces");
+        "it has no faces with an area");
+  CHECK(problem_of(folder.write("c.obj", "v 0 0 0\nf 1 1 1\n")) == "it has no faces with an area");
+  CHECK(problem_of(folder.write("d.obj", "v 0 0 0\n")) == "it has no faces");
+  CHECK(problem_of(folder.write("e.obj", "")) == "it has no faces");
 }
 
 TEST_CASE("nodes that contain themselves are a problem, not an end") {
@@ -189,7 +190,7 @@ TEST_CASE("a reader that takes too much is stopped") {
   constexpr int count = 400000;
   for (int i = 0; i < count; ++i) points += "0.25 0.5 0.75\n";
   CHECK(problem_of(folder.write("b.ply", ply("ascii", std::to_string(count), points + "3 0 1 2\n")),
-                   quick) == "takes more than 0.02 seconds to read");
+                   quick) == "it takes more than 0.02 seconds to read");
 }
 
 TEST_CASE("bytes of a mesh come back, and none but whole ones") {

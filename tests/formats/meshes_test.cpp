@@ -71,9 +71,9 @@ TEST_CASE("meshes that can not be read say why") {
   const Folder folder;
   CHECK(problem_of(folder / "none.obj") == "no such file");
   CHECK(problem_of(folder / "none.glb") == "no such file");
-  CHECK(problem_of(folder.string()) == "is a folder");
+  CHECK(problem_of(folder.string()) == "it is a folder");
   REQUIRE(mkfifo((folder / "pipe.obj").c_str(), 0600) == 0);
-  CHECK(problem_of(folder / "pipe.obj") == "is a device or a pipe");
+  CHECK(problem_of(folder / "pipe.obj") == "it is a device or a pipe");
   CHECK(problem_of(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n")) ==
         "line 3: face of unknown vertex");
   CHECK(problem_of(folder.write("b.obj", "v 0 0 0\n\nf 1 1\n")) ==
@@ -82,9 +82,9 @@ TEST_CASE("meshes that can not be read say why") {
         "line 4: face of unknown texture coordinate");
   CHECK(problem_of(folder.write("d.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf x y z\n")) ==
         "line 4: face of unknown vertex");
-  CHECK(problem_of(folder.write("e.obj", "hello")) == "has no faces");
+  CHECK(problem_of(folder.write("e.obj", "hello")) == "it has no faces");
   CHECK(problem_of(folder.write("f.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3")) ==
-        "has no faces with an area");
+        "it has no faces with an area");
   CHECK(problem_of(folder.write("g.obj", "v 1e999 0 0\n")) == "line 1: vertex that is not finite");
   CHECK(problem_of(folder.write("n.obj", "v 0 0 0\nv 1 nan 0\n")) ==
         "line 2: 'nan' is no coordinate");
