@@ -9,6 +9,12 @@
 namespace mansard {
 namespace {
 
+/// Pictures are coloured; but some programs write black for the colour behind a picture.
+Paint paint_of(const Mesh::Material& m) {
+  const Vec3 tint = m.color == Vec3{} ? Vec3{1, 1, 1} : m.color;
+  return {m.color, is_glass(m.name, m.opacity), m.texture, {}, tint, m.overlay, m.picture};
+}
+
 /// A model's faces as a surface, its materials as paints.
 void add_model(const std::string& path, Scene& scene) {
   std::string problem;
@@ -18,8 +24,7 @@ void add_model(const std::string& path, Scene& scene) {
     d.text = "can not read '" + path + "': " + problem;
     throw Failure(std::move(d));
   }
-  for (const Mesh::Material& m : mesh->materials)
-    scene.paints.push_back({m.color, is_glass(m.name, m.opacity), m.texture, {}, {1, 1, 1}});
+  for (const Mesh::Material& m : mesh->materials) scene.paints.push_back(paint_of(m));
   if (scene.paints.empty()) scene.paints.push_back({});
   Surface surface;
   for (const Mesh::Face& face : mesh->faces) {

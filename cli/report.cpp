@@ -21,6 +21,7 @@ void Report::add(const Building& building, const Polygon& footprint) {
     terminals_[i] += building.terminals[i];
   std::size_t polygon = 0;
   for (const Surface::Run& run : building.surface.runs) {
+    if (run.material == program_.stain_look) stains += run.end - polygon;
     for (; polygon < run.end; ++polygon)
       areas_[run.symbol] += length(newell(building.surface.loop(polygon))) / 2;
   }
@@ -75,6 +76,7 @@ void Report::write(OutputFile& file, std::span<const LevelReport> levels) const 
   json["levels"] = to_json(levels);
   json["parts_cut"] = parts_cut;
   json["shapes_without_production"] = unmatched;
+  json["stains"] = stains;
   json["roof_fallbacks"] = roofs.fallbacks();
   json["roofs_not_as_asked"] = {
       {"coarser_outline", roofs.coarser}, {"one_ridge", roofs.one_ridge}, {"flat", roofs.flat},

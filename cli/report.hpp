@@ -34,6 +34,7 @@ class Report {
 
   std::size_t shapes = 0, operations = 0, polygons = 0, vertices = 0, buildings = 0;
   std::size_t parts_cut = 0, unmatched = 0;
+  std::size_t stains = 0;                  ///< faces that stain() laid on walls
   std::size_t walls = 0, party_walls = 0;  ///< edges of footprints
   std::size_t dropped = 0;                 ///< footprints left out as too small
   RoofTroubles roofs;

@@ -1,5 +1,6 @@
 #include "formats/assimp_reader.hpp"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -47,8 +48,22 @@ bool is_linear(const std::string& path) {
   return ending == ".gltf" || ending == ".glb";
 }
 
-Mesh::Material convert(const aiMaterial& from, const std::string& path, const MeshLimits& limits,
-                       std::string& problem) {
+/// The bytes of a picture that the file itself holds; empty where it names another file.
+std::string own_picture(const aiScene& scene, const char* name) {
+  const aiTexture* const picture = scene.GetEmbeddedTexture(name);
+  if (picture == nullptr || picture->mHeight != 0) return {};  // pixels: of no format that we read
+  return {reinterpret_cast<const char*>(picture->pcData), picture->mWidth};
+}
+
+/// A coloured picture that is blended over what lies behind it: what we write stains as.
+bool is_overlay(const aiMaterial& from, const Mesh::Material& to) {
+  aiString mode;
+  return from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
+         std::string_view(mode.C_Str()) == "BLEND" && to.opacity == 1 && to.color != Vec3{1, 1, 1};
+}
+
+Mesh::Material convert(const aiScene& scene, const aiMaterial& from, const std::string& path,
+                       const MeshLimits& limits, std::string& problem) {
   Mesh::Material to;
   aiString text;
   if (from.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS) to.name = text.C_Str();
@@ -64,6 +79,9 @@ Mesh::Material convert(const aiMaterial& from, const std::string& path, const Me
   if (from.GetTexture(aiTextureType_BASE_COLOR, 0, &text) == aiReturn_SUCCESS ||
       from.GetTexture(aiTextureType_DIFFUSE, 0, &text) == aiReturn_SUCCESS) {
     std::string name = text.C_Str();
+    to.overlay = is_overlay(from, to);
+    to.picture = own_picture(scene, text.C_Str());
+    if (!to.picture.empty()) return to;
     std::replace(name.begin(), name.end(), '\\', '/');
     to.texture = named_picture(fs::path(path).parent_path(), name, limits, problem);
   }
@@ -140,7 +158,7 @@ bool read_by_assimp(const std::string& path, const MeshLimits& limits, Mesh& mes
   Collected collected(*scene, mesh);
   collected.add(*scene->mRootNode, aiMatrix4x4());
   for (unsigned i = 0; i < scene->mNumMaterials; ++i) {
-    mesh.materials.push_back(convert(*scene->mMaterials[i], path, limits, problem));
+    mesh.materials.push_back(convert(*scene, *scene->mMaterials[i], path, limits, problem));
   }
   if (!collected.is_sound()) problem = "it has a face of unknown vertices";
   if (mesh.faces.empty() && problem.empty()) problem = "it has no faces";

@@ -64,9 +64,10 @@ std::string to_bytes(const Mesh& mesh) {
   for (const Mesh::Material& material : mesh.materials) {
     put(bytes, material.name.data(), material.name.size());
     const double numbers[] = {material.color.x, material.color.y, material.color.z,
-                              material.opacity};
-    put(bytes, numbers, 4);
+                              material.opacity, material.overlay ? 1.0 : 0.0};
+    put(bytes, numbers, 5);
     put(bytes, material.texture.data(), material.texture.size());
+    put(bytes, material.picture.data(), material.picture.size());
   }
   return bytes;
 }
@@ -91,9 +92,11 @@ std::optional<Mesh> mesh_from_bytes(std::string_view bytes, std::string& problem
     material.name = from.take<std::string>();
     const auto numbers = from.take<std::vector<double>>();
     material.texture = from.take<std::string>();
-    if (!from.whole() || numbers.size() != 4) return {};
+    material.picture = from.take<std::string>();
+    if (!from.whole() || numbers.size() != 5) return {};
     material.color = {numbers[0], numbers[1], numbers[2]};
     material.opacity = numbers[3];
+    material.overlay = numbers[4] != 0;
   }
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "formats/mtl_writer.hpp"
 #include "formats/numbers.hpp"
@@ -71,7 +72,8 @@ class ObjWriter final : public SurfaceWriter {
   std::unordered_map<std::string, uint64_t> object_names_;  ///< and the last number they got
   ObjGroups groups_;
   Normals normals_;
-  std::vector<uint64_t> normal_numbers_;                        ///< of the building's polygons
+  std::vector<uint64_t> normal_numbers_;  ///< of the building's polygons
+  bool stained_ = false;
   uint64_t point_count_ = 0, uv_count_ = 0, normal_count_ = 0;  ///< written before this building
 };
 
@@ -96,6 +98,9 @@ void ObjWriter::add(const NamedSurface& building, std::span<const std::string_vi
   if (with_uvs) put_uvs(surface.uvs);
   put_normals(surface.normals);
 
+  stained_ = stained_ || std::ranges::any_of(surface.runs, [&](const Surface::Run& run) {
+               return looks[run.material].stains;
+             });
   groups_.sort(surface.runs);
   groups_.for_each([&](uint32_t symbol) { put_name("g ", symbols[symbol]); },
                    [&](uint32_t look) { put_name("usemtl ", looks[look].name); },
@@ -110,8 +115,10 @@ void ObjWriter::add(const NamedSurface& building, std::span<const std::string_vi
 }
 
 std::size_t ObjWriter::finish(std::span<const Look> looks) {
+  std::vector<Look> listed(looks.begin(), looks.end());
+  if (!stained_) std::erase_if(listed, [](const Look& look) { return look.stains; });
   // The OBJ appears last: whoever sees it finds the rest beside it.
-  const std::size_t mtl_bytes = out_.is_regular() ? write_mtl(mtl_, looks) : 0;
+  const std::size_t mtl_bytes = out_.is_regular() ? write_mtl(mtl_, listed) : 0;
   out_.commit();
   return out_.bytes() + mtl_bytes;
 }

@@ -55,7 +55,8 @@ class SurfaceWriter {
   virtual std::size_t finish(std::span<const Look> looks) = 0;
 };
 
-/// OBJ with MTL and textures beside it: an object a building, a group a symbol, polygons kept.
+/// OBJ with MTL and textures beside it: an object a building, a group a symbol, polygons kept; the
+/// look of stains only where something is stained.
 /// `comment` stands in the head of the file (origin, seed, style).
 std::unique_ptr<SurfaceWriter> write_obj(const std::string& path, Up up,
                                          const std::string& comment);
@@ -67,8 +68,8 @@ std::unique_ptr<SurfaceWriter> write_gltf(const std::string& path, const std::st
                                           const GltfOptions& options = {});
 
 /// Binary PLY or STL by the path's ending: nothing but triangles, with normals; no names, looks or
-/// textures. The whole model is in memory until finish(); more than `most` triangles, or none at
-/// all, are a Failure.
+/// textures, and no stains, which are seen only with theirs. The whole model is in memory until
+/// finish(); more than `most` triangles, or none at all, are a Failure.
 std::unique_ptr<SurfaceWriter> write_triangles(const std::string& path, Up up,
                                                std::size_t most = 10'000'000);
 

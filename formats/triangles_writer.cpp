@@ -32,11 +32,17 @@ class TrianglesWriter final : public SurfaceWriter {
   std::vector<uint32_t> indices_;
 };
 
+/// But what it says lies before others and can only be seen through: here it would be a wall.
 void TrianglesWriter::add(const NamedSurface& building, std::span<const std::string_view>,
-                          std::span<const Look>) {
+                          std::span<const Look> looks) {
   const Surface& surface = *building.surface;
   building_.clear(false);
-  for (std::size_t i = 0; i < surface.polygons(); ++i) building_.add(surface, i, {});
+  std::size_t polygon = 0;
+  for (const Surface::Run& run : surface.runs) {
+    for (; polygon < run.end; ++polygon) {
+      if (!looks[run.material].stains) building_.add(surface, polygon, {});
+    }
+  }
   if ((indices_.size() + building_.indices().size()) / 3 > most_) {
     const std::string ending = path_.substr(path_.rfind('.'));
     fail("the model has more than " + std::to_string(most_) + " triangles, the most that a " +

@@ -25,7 +25,9 @@ struct Mesh {
     std::string name;
     Vec3 color{0.8, 0.8, 0.8};
     double opacity = 1;
-    std::string texture;  ///< path of the colour texture, empty for none
+    std::string texture;       ///< path of the colour texture, empty for none
+    std::string picture = {};  ///< or the bytes of its file, where it lay in the mesh's own
+    bool overlay = false;      ///< before another surface, as opaque as the texture is white
   };
 
   std::vector<Vec3> points;

@@ -22,6 +22,7 @@ struct Paint {
   Vec3 tint{1, 1, 1};   ///< of the picture
   bool stains = false;  ///< lies before another surface, as opaque as the picture is white; casts
                         ///< no shadow
+  std::string picture = {};  ///< the bytes of a picture's file, instead of `texture`
 };
 
 /// Triangles to look at. Append, then render.

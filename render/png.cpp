@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <cstdlib>
+#include <limits>
 
 namespace {
 
@@ -23,6 +24,7 @@ unsigned char* compress_with_zlib(unsigned char* data, int size, int* packed_siz
 }  // namespace
 
 #define STBIW_ZLIB_COMPRESS compress_with_zlib
+#define STBI_MAX_DIMENSIONS 8192
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -56,15 +58,33 @@ std::string encode_png(const Picture& picture) {
   return encode_png(picture.width, picture.height, 3, picture.rgb);
 }
 
-Picture read_picture(const std::string& path) {
-  Picture picture;
-  int channels = 0;
-  unsigned char* pixels = stbi_load(path.c_str(), &picture.width, &picture.height, &channels, 3);
+namespace {
+
+/// Takes the pixels, red, green and blue, that stb made; null for none.
+Picture taken(unsigned char* pixels, int width, int height) {
   if (pixels == nullptr) return {};
-  picture.rgb.assign(pixels, pixels + std::size_t{3} * static_cast<std::size_t>(picture.width) *
-                                          static_cast<std::size_t>(picture.height));
+  const std::size_t bytes =
+      std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Picture picture{width, height, {pixels, pixels + bytes}};
   stbi_image_free(pixels);
   return picture;
+}
+
+}  // namespace
+
+Picture read_picture(const std::string& path) {
+  int width = 0, height = 0, channels = 0;
+  unsigned char* const pixels = stbi_load(path.c_str(), &width, &height, &channels, 3);
+  return taken(pixels, width, height);
+}
+
+Picture decode_picture(const std::string& bytes) {
+  if (bytes.size() > std::numeric_limits<int>::max()) return {};
+  int width = 0, height = 0, channels = 0;
+  unsigned char* const pixels =
+      stbi_load_from_memory(reinterpret_cast<const unsigned char*>(bytes.data()),
+                            static_cast<int>(bytes.size()), &width, &height, &channels, 3);
+  return taken(pixels, width, height);
 }
 
 }  // namespace mansard

@@ -9,6 +9,8 @@ namespace mansard {
 
 /// PNG, JPEG, BMP and TGA; without colours when the file is missing or broken.
 Picture read_picture(const std::string& path);
+/// The same of a file's bytes.
+Picture decode_picture(const std::string& bytes);
 
 /// The bytes of a PNG file of 1 to 4 channels a pixel, rows from the top; none when there are not
 /// as many values as pixels need.

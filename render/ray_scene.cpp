@@ -75,7 +75,10 @@ void RayScene::read_looks(const Scene& scene) {
   };
   for (const Paint& paint : scene.paints) {
     const Finish& finish = paint.finish;
-    const auto picture = texture(paint.texture, paint.stains ? read_values : read_texture);
+    const auto picture =
+        paint.picture.empty()
+            ? texture(paint.texture, paint.stains ? read_values : read_texture)
+            : texture(paint.picture, paint.stains ? decode_values : decode_texture);
     looks.push_back({valid_color(picture ? paint.tint : paint.color), paint.glass, picture,
                      static_cast<float>(finish.roughness), static_cast<float>(finish.metallic),
                      static_cast<float>(finish.relief), texture(finish.roughness_map, read_values),

@@ -72,8 +72,18 @@ Float3 Texture::at(Vec2 uv, float pixel) const {
 
 namespace {
 
-std::shared_ptr<const Texture> read(const std::string& path, const std::array<float, 256>& linear) {
-  const Picture picture = read_picture(path);
+const std::array<float, 256>& of_colors() {
+  static const std::array<float, 256> linear = linear_from_srgb();
+  return linear;
+}
+
+const std::array<float, 256>& of_values() {
+  static const std::array<float, 256> parts = parts_of_whole();
+  return parts;
+}
+
+std::shared_ptr<const Texture> made_of(const Picture& picture,
+                                       const std::array<float, 256>& linear) {
   if (picture.rgb.empty()) return nullptr;
   std::vector<Float3> colors;
   colors.reserve(picture.rgb.size() / 3);
@@ -87,13 +97,19 @@ std::shared_ptr<const Texture> read(const std::string& path, const std::array<fl
 }  // namespace
 
 std::shared_ptr<const Texture> read_texture(const std::string& path) {
-  static const std::array<float, 256> linear = linear_from_srgb();
-  return read(path, linear);
+  return made_of(read_picture(path), of_colors());
 }
 
 std::shared_ptr<const Texture> read_values(const std::string& path) {
-  static const std::array<float, 256> parts = parts_of_whole();
-  return read(path, parts);
+  return made_of(read_picture(path), of_values());
+}
+
+std::shared_ptr<const Texture> decode_texture(const std::string& bytes) {
+  return made_of(decode_picture(bytes), of_colors());
+}
+
+std::shared_ptr<const Texture> decode_values(const std::string& bytes) {
+  return made_of(decode_picture(bytes), of_values());
 }
 
 }  // namespace mansard

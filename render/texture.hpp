@@ -34,5 +34,8 @@ class Texture {
 std::shared_ptr<const Texture> read_texture(const std::string& path);
 /// Likewise of a picture whose pixels are no colours but numbers: normals, roughness.
 std::shared_ptr<const Texture> read_values(const std::string& path);
+/// Both of a file's bytes.
+std::shared_ptr<const Texture> decode_texture(const std::string& bytes);
+std::shared_ptr<const Texture> decode_values(const std::string& bytes);
 
 }  // namespace mansard

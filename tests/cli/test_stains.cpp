@@ -5,6 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "render/png.hpp"
 #include "tests/cli/run.hpp"
 
 namespace {
@@ -88,6 +89,69 @@ TEST_CASE("stains are faces of their own: all else is as without") {
   CHECK(count_of(old.substr(stains), "\nf ") > 20);
   CHECK(count_of(old, "\nf ") - count_of(old.substr(stains), "\nf ") == count_of(clean, "\nf "));
   CHECK(old.substr(stains).find("g ", 1) == std::string::npos);
+}
+
+TEST_CASE("what can not show stains leaves them out") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> clean{"--set", "Weather.Stains=0"};
+  for (const std::string ending : {".ply", ".stl"}) {
+    REQUIRE(derive(folder / ("old" + ending)).status == 0);
+    REQUIRE(derive(folder / ("new" + ending), clean).status == 0);
+    CHECK(contents(folder / ("old" + ending)) == contents(folder / ("new" + ending)));
+  }
+}
+
+/// The mean of how much the pictures' bytes differ.
+double difference(const mansard::Picture& a, const mansard::Picture& b) {
+  REQUIRE(a.rgb.size() == b.rgb.size());
+  REQUIRE(!a.rgb.empty());
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int(a.rgb[i]) - int(b.rgb[i]));
+  return sum / static_cast<double>(a.rgb.size());
+}
+
+TEST_CASE("a model that is read is drawn with its stains") {
+  const TemporaryFolder folder;
+  const auto picture = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "render");
+    words.insert(words.end(), {"--size", "240x160", "--camera", "-9,4,9,0,3,0", "--quiet", "-o",
+                               folder / "picture.png"});
+    const Run drawn = run(words);
+    REQUIRE_MESSAGE(drawn.status == 0, drawn.err);
+    return mansard::read_picture(folder / "picture.png");
+  };
+  const std::vector<std::string> clean{"--set", "Weather.Stains=0"};
+  const double derived =
+      difference(picture({script, "rect:9x8"}), picture({script, "rect:9x8", clean[0], clean[1]}));
+  CHECK(derived > 0.5);
+  for (const std::string ending : {".obj", ".gltf", ".glb"}) {
+    CAPTURE(ending);
+    REQUIRE(derive(folder / ("old" + ending)).status == 0);
+    REQUIRE(derive(folder / ("new" + ending), clean).status == 0);
+    const double read =
+        difference(picture({folder / ("old" + ending)}), picture({folder / ("new" + ending)}));
+    CHECK(read == doctest::Approx(derived).epsilon(0.05));
+  }
+}
+
+TEST_CASE("a model without stains does not speak of them") {
+  const TemporaryFolder folder;
+  REQUIRE(derive(folder / "new.obj", {"--set", "Weather.Stains=0"}).status == 0);
+  CHECK(contents(folder / "new.mtl").find("stain") == std::string::npos);
+  CHECK(!std::filesystem::exists(folder / "new_stains.png"));
+}
+
+TEST_CASE("the report counts the faces that are stained") {
+  const TemporaryFolder folder;
+  const auto stains = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--report", folder / "report.json"});
+    REQUIRE(derive(folder / "a.obj", more).status == 0);
+    return json::parse(contents(folder / "report.json"))["stains"].get<std::size_t>();
+  };
+  const std::size_t drawn = stains({});
+  const std::string old = contents(folder / "a.obj");
+  CHECK(drawn == count_of(old.substr(old.find("g STAIN")), "\nf "));
+  CHECK(stains({"--set", "Weather.Stains=0"}) == 0);
 }
 
 TEST_CASE("stains are the same on any number of threads") {

@@ -198,13 +198,16 @@ TEST_CASE("bytes of a mesh come back, and none but whole ones") {
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}};
   mesh.add_face(std::array<uint32_t, 3>{0, 1, 2}, {}, 1);
   mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
-  mesh.materials = {{"red", {1, 0, 0}, 0.5, "red.png"}, {}};
+  mesh.materials = {{"red", {1, 0, 0}, 0.5, "red.png", {}, true},
+                    {"own", {1, 1, 1}, 1, {}, "bytes of a picture"}};
   const std::string bytes = to_bytes(mesh);
   std::string problem;
   const auto back = mesh_from_bytes(bytes, problem);
   REQUIRE(back);
   CHECK(to_bytes(*back) == bytes);
   CHECK(back->materials[0].texture == "red.png");
+  CHECK(back->materials[0].overlay);
+  CHECK(back->materials[1].picture == "bytes of a picture");
   const std::string without = bytes.substr(0, to_bytes([&] {
                                                 Mesh bare = mesh;
                                                 bare.materials.clear();
