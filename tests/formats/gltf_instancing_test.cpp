@@ -145,9 +145,11 @@ TEST_CASE("solids that rules made are shared when they come twice and it pays") 
   std::vector<Surface> houses(2);
   for (int i = 0; i < 20; ++i) place_solid(houses[0], mesh, somewhere(random), 0);
   place_solid(houses[1], mesh, somewhere(random), 1);  // known by then
-  Mesh other = mesh;
-  other.points[3].x += 0.1;
-  place_solid(houses[0], other, somewhere(random), 2);  // alone of its kind
+  for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    Mesh other = mesh;
+    other.points[3].*axis += 0.1;
+    place_solid(houses[0], other, somewhere(random), 2);  // alone of its kind
+  }
   const Glb plain = written(folder, "plain.glb", houses, {.instancing = Instancing::copies});
   const Glb shared = written(folder, "shared.glb", houses, {});
   CHECK(shared.document["meshes"].size() == 2);
