@@ -11,7 +11,7 @@ namespace {
 
 /// Pictures are coloured; but some programs write black for the colour behind a picture.
 Paint paint_of(const Mesh::Material& m) {
-  const Vec3 tint = m.color == Vec3{} ? Vec3{1, 1, 1} : m.color;
+  const Vec3 tint = m.color == Vec3{} && !m.overlay ? Vec3{1, 1, 1} : m.color;
   return {m.color, is_glass(m.name, m.opacity), m.texture, {}, tint, m.overlay, m.picture};
 }
 

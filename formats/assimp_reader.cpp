@@ -58,6 +58,7 @@ std::string own_picture(const aiScene& scene, const char* name) {
 /// A coloured picture that is blended over what lies behind it: what we write stains as.
 bool is_overlay(const aiMaterial& from, const Mesh::Material& to) {
   aiString mode;
+  if (to.picture.empty() && to.texture.empty()) return false;
   return from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
          std::string_view(mode.C_Str()) == "BLEND" && to.opacity == 1 && to.color != Vec3{1, 1, 1};
 }
@@ -79,11 +80,11 @@ Mesh::Material convert(const aiScene& scene, const aiMaterial& from, const std::
   if (from.GetTexture(aiTextureType_BASE_COLOR, 0, &text) == aiReturn_SUCCESS ||
       from.GetTexture(aiTextureType_DIFFUSE, 0, &text) == aiReturn_SUCCESS) {
     std::string name = text.C_Str();
-    to.overlay = is_overlay(from, to);
     to.picture = own_picture(scene, text.C_Str());
-    if (!to.picture.empty()) return to;
     std::replace(name.begin(), name.end(), '\\', '/');
-    to.texture = named_picture(fs::path(path).parent_path(), name, limits, problem);
+    if (to.picture.empty())
+      to.texture = named_picture(fs::path(path).parent_path(), name, limits, problem);
+    to.overlay = is_overlay(from, to);
   }
   return to;
 }

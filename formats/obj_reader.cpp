@@ -175,11 +175,12 @@ Mesh::Material convert(const tinyobj::material_t& from, const fs::path& folder,
   to.name = from.name;
   to.color = {to_linear(from.diffuse[0]), to_linear(from.diffuse[1]), to_linear(from.diffuse[2])};
   to.opacity = std::clamp<double>(from.dissolve, 0, 1);
-  to.overlay = from.diffuse_texname.empty() && !from.alpha_texname.empty();
-  std::string name = to.overlay ? from.alpha_texname : from.diffuse_texname;
+  const bool is_mask = from.diffuse_texname.empty();
+  std::string name = is_mask ? from.alpha_texname : from.diffuse_texname;
   if (!name.empty()) {
     std::replace(name.begin(), name.end(), '\\', '/');
     to.texture = named_picture(folder, name, limits, problem);
+    to.overlay = is_mask && !to.texture.empty();
   }
   return to;
 }

@@ -32,7 +32,7 @@ class TrianglesWriter final : public SurfaceWriter {
   std::vector<uint32_t> indices_;
 };
 
-/// But what it says lies before others and can only be seen through: here it would be a wall.
+/// Without stains: these are seen only by how opaque their picture is, and here would be walls.
 void TrianglesWriter::add(const NamedSurface& building, std::span<const std::string_view>,
                           std::span<const Look> looks) {
   const Surface& surface = *building.surface;

@@ -197,7 +197,7 @@ Material material_from(const Mesh::Material& own) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
   };
   const Vec3 color{encode(own.color.x), encode(own.color.y), encode(own.color.z)};
-  return {own.name, color, own.opacity, own.texture, {1, 1}, {}};
+  return {own.name, color, own.opacity, own.overlay ? "" : own.texture, {1, 1}, {}};
 }
 
 }  // namespace mansard

@@ -25,7 +25,8 @@ struct Material {
 /// "#rgb", "#rrggbb" or a CSS colour name, as sRGB; false for other text.
 bool parse_color(std::string_view text, Vec3& color);
 
-/// Of a mesh's own file, whose colours are linear.
+/// Of a mesh's own file, whose colours are linear. What is seen only by its picture's opacity stays
+/// plain.
 Material material_from(const Mesh::Material& own);
 
 }  // namespace mansard

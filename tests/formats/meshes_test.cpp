@@ -54,6 +54,31 @@ TEST_CASE("OBJ meshes keep polygons, coordinates, materials and textures") {
   CHECK(mesh->faces[1].material == 0);
 }
 
+TEST_CASE("a map of opacity is an overlay where it is alone, and there") {
+  const Folder folder;
+  folder.write("mask.png", "picture");
+  folder.write("a.mtl",
+               "newmtl dirt\nKd 0 0 0\nmap_d mask.png\n"
+               "newmtl lost\nmap_d none.png\n"
+               "newmtl leaf\nmap_d mask.png\nmap_Kd mask.png\n");
+  std::string problem;
+  const auto mesh =
+      read_mesh(folder.write("a.obj",
+                             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 2 0\nusemtl dirt\nf 1 2 3\n"
+                             "usemtl lost\nf 1 2 3\nusemtl leaf\nf 1 2 3\n"),
+                problem);
+  REQUIRE_MESSAGE(mesh, problem);
+  REQUIRE(mesh->faces.size() == 3);
+  const auto look = [&](std::size_t face) {
+    return mesh->materials.at(mesh->faces[face].material);
+  };
+  CHECK(look(0).overlay);
+  CHECK(look(0).texture == folder / "mask.png");
+  CHECK(!look(1).overlay);
+  CHECK(look(1).texture.empty());
+  CHECK(!look(2).overlay);
+}
+
 TEST_CASE("crooked polygons are divided, planar ones are not, flat ones go") {
   const Folder folder;
   std::string problem;
