@@ -38,7 +38,7 @@ std::string box(double x, double y, double z, double w, double h, double d, int&
   return text;
 }
 
-/// A frame with bars, `panes` wide and high: 36 faces and more.
+/// A frame with bars, `panes` wide and high: 12 faces a pane, and 18.
 std::string window(int panes) {
   int points = 0;
   std::string text = box(0, 0, 0, 1, 1.5, 0.02, points);
@@ -180,8 +180,10 @@ TEST_CASE("a block of 20,000 windows of five kinds takes a fraction of its copie
           gpu, " in ", instancing);
   CHECK(nodes * 100 <= copies * 15);
   CHECK(gpu < nodes);
-  CHECK(sharing < 1.3 * copying);
-  CHECK(instancing < 1.3 * copying);
+#ifndef __SANITIZE_ADDRESS__  // where most is the program's start
+  CHECK(sharing < copying);   // half of it
+  CHECK(instancing < copying);
+#endif
 }
 
 TEST_CASE("--lod all writes a chain, and the report has each level's faces and vertices") {
