@@ -40,7 +40,8 @@ constexpr Flag keep_flag{"--keep-going", "", "leave out what fails, write the re
 constexpr Flag json_flag{"--json", "", "for machines: JSON"};
 constexpr Flag quiet_flag{"--quiet", "", "no progress and no summary"};
 constexpr Flag color_flag{"--no-color", "", "no colours on a terminal"};
-constexpr Flag threads_flag{"--threads", "N", "how many threads (default: all)"};
+constexpr Flag threads_flag{"--threads", "N",
+                            "how many threads, at most one a core (default: all)"};
 
 constexpr std::array variation_flags{style_flag, seed_flag, set_flag, attr_flag, lod_flag};
 constexpr std::array one_plot_flags{select_flag, id_flag, layer_flag, where_flag};

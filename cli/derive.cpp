@@ -39,7 +39,8 @@ class Derive {
 
  private:
   Totals derive(Level& level);
-  void use(Level& level, Derived& derived);
+  void prepare(const Level& level, Derived& derived) const;
+  void number(Level& level, Derived& derived);
   void write_all();
   void leave_out_failed();
 
@@ -93,17 +94,33 @@ int Derive::run() {
 Totals Derive::derive(Level& level) {
   const auto started = std::chrono::steady_clock::now();
   Progress progress(set_.footprints.size(), session_.quiet());
+  const Steps steps{.prepare = [&](Derived& derived) { prepare(level, derived); },
+                    .number =
+                        [&](Derived& derived) {
+                          progress.step();
+                          number(level, derived);
+                        },
+                    .format = [](Derived& derived) { derived.piece->format(); },
+                    .append = [](Derived& derived) { derived.piece->append(); }};
   const Totals totals = derive_all(session_.program(), session_.meshes(), set_.footprints,
                                    derive_options(arguments_, session_.program(), level.target.lod),
-                                   thread_option(arguments_), keep_going_, [&](Derived& derived) {
-                                     progress.step();
-                                     use(level, derived);
-                                   });
+                                   thread_option(arguments_), keep_going_, steps);
   level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return totals;
 }
 
-void Derive::use(Level& level, Derived& derived) {
+/// On any thread.
+void Derive::prepare(const Level& level, Derived& derived) const {
+  if (!derived.piece) derived.piece = level.writer->new_piece();
+  const Program& program = session_.program();
+  const Building& building = derived.building;
+  derived.faces.count(building.surface, program.stain_look);
+  derived.piece->prepare({building.id, &building.surface, program.styles[program.main_style].name,
+                          derived.footprint->properties});
+}
+
+/// In order: all that is said, and all that is counted.
+void Derive::number(Level& level, Derived& derived) {
   Building& building = derived.building;
   if (&level == &levels_.front()) remarks_.add(building);
   if (derived.error) {
@@ -112,11 +129,8 @@ void Derive::use(Level& level, Derived& derived) {
     return level.report.add_failure(building.id, *derived.error);
   }
   level.looks.adopt(building);
-  level.report.add(building, derived.footprint->polygon);
-  const Program& program = session_.program();
-  level.writer->add({building.id, &building.surface, program.styles[program.main_style].name,
-                     derived.footprint->properties},
-                    symbols_, level.looks.all());
+  level.report.add(building, derived.faces, derived.footprint->polygon);
+  derived.piece->number(symbols_, level.looks.all());
 }
 
 /// What failed at one level of detail is not tried at the next ones.

@@ -51,13 +51,13 @@ std::optional<std::size_t> add_derivation(Session& session, const Arguments& arg
     Progress progress(set.footprints.size(), session.quiet());
     return derive_all(session.program(), session.meshes(), set.footprints,
                       derive_options(arguments, session.program()), thread_option(arguments),
-                      keep_going, [&](Derived& derived) {
+                      keep_going, {.number = [&](Derived& derived) {
                         remarks.add(derived.building);
                         progress.step();
                         if (derived.error) return session.print(*derived.error);
                         looks.adopt(derived.building);
                         scene.add(derived.building.surface);
-                      });
+                      }});
   }();
   scene.paints = looks.paints();
   if (totals.interrupted || (totals.failed > 0 && !keep_going)) return std::nullopt;

@@ -5,7 +5,19 @@
 
 namespace mansard {
 
-void Report::add(const Building& building, const Polygon& footprint) {
+void Faces::count(const Surface& surface, uint32_t stain_look) {
+  areas.clear();
+  stains = 0;
+  std::size_t polygon = 0;
+  for (const Surface::Run& run : surface.runs) {
+    if (run.symbol >= areas.size()) areas.resize(run.symbol + 1);
+    if (run.material == stain_look) stains += run.end - polygon;
+    for (; polygon < run.end; ++polygon)
+      areas[run.symbol] += length(newell(surface.loop(polygon))) / 2;
+  }
+}
+
+void Report::add(const Building& building, const Faces& faces, const Polygon& footprint) {
   ++buildings;
   walls += footprint.tags.size();
   party_walls += static_cast<std::size_t>(
@@ -19,12 +31,8 @@ void Report::add(const Building& building, const Polygon& footprint) {
   roofs.add(building.roofs);
   for (std::size_t i = 0; i < building.terminals.size(); ++i)
     terminals_[i] += building.terminals[i];
-  std::size_t polygon = 0;
-  for (const Surface::Run& run : building.surface.runs) {
-    if (run.material == program_.stain_look) stains += run.end - polygon;
-    for (; polygon < run.end; ++polygon)
-      areas_[run.symbol] += length(newell(building.surface.loop(polygon))) / 2;
-  }
+  for (std::size_t i = 0; i < faces.areas.size(); ++i) areas_[i] += faces.areas[i];
+  stains += faces.stains;
   for (const auto& [key, entry] : building.report) {
     ReportEntry& sum = values_[key];
     sum.least = sum.count == 0 ? entry.least : std::min(sum.least, entry.least);

@@ -23,11 +23,20 @@ struct LevelReport {
   const Report* report = nullptr;
 };
 
+/// What of a building's faces the report tells.
+struct Faces {
+  /// On any thread.
+  void count(const Surface& surface, uint32_t stain_look);
+
+  std::vector<double> areas;  ///< m² by symbol, as far as there are any
+  std::size_t stains = 0;
+};
+
 class Report {
  public:
   explicit Report(const Program& program)
       : program_(program), terminals_(program.symbols.size()), areas_(program.symbols.size()) {}
-  void add(const Building& building, const Polygon& footprint);
+  void add(const Building& building, const Faces& faces, const Polygon& footprint);
   void add_failure(const std::string& id, const Diagnostic& diagnostic);
   /// `levels` are the models that were written, this report's among them.
   void write(OutputFile& file, std::span<const LevelReport> levels) const;

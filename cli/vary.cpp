@@ -217,14 +217,14 @@ void Vary::derive_program(const Program& program, const Child& child, Cell& cell
     model = write_obj(export_->model_path(child), Up::y, model_comment(program, set_, options));
   const Totals totals =
       derive_all(program, session_.meshes(), set_.footprints, options, sheet_.cell.threads,
-                 keep_going_, [&](Derived& derived) {
+                 keep_going_, {.number = [&](Derived& derived) {
                    Building& building = derived.building;
                    remarks_.add(building);
                    if (derived.error) return fail(cell, *derived.error);
                    looks.adopt(building);
                    cell.scene.add(building.surface);
                    if (model) model->add({building.id, &building.surface}, symbols, looks.all());
-                 });
+                 }});
   cell.scene.paints = looks.paints();
   remarks_.finish(program, "in the picture '" + caption(cell) + "' ");
   interrupted_ = totals.interrupted;

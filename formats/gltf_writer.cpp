@@ -51,8 +51,9 @@ struct Places {
 class GltfWriter final : public SurfaceWriter {
  public:
   GltfWriter(const std::string& path, const std::string& comment, const GltfOptions& options);
-  void add(const NamedSurface& building, std::span<const std::string_view> symbols,
-           std::span<const Look> looks) override;
+  std::unique_ptr<SurfacePiece> new_piece() override;
+  void write(const NamedSurface& building, std::span<const std::string_view> symbols,
+             std::span<const Look> looks);
   std::size_t finish(std::span<const Look> looks) override;
 
  private:
@@ -89,6 +90,24 @@ class GltfWriter final : public SurfaceWriter {
   std::string symbol_name_, primitives_, children_;
 };
 
+/// Written in order, as a whole.
+class GltfPiece final : public SurfacePiece {
+ public:
+  explicit GltfPiece(GltfWriter& writer) : writer_(writer) {}
+  void prepare(const NamedSurface& building) override { building_ = building; }
+  void number(std::span<const std::string_view> symbols, std::span<const Look> looks) override {
+    writer_.write(building_, symbols, looks);
+  }
+  void format() override {}
+  void append() override {}
+
+ private:
+  GltfWriter& writer_;
+  NamedSurface building_;
+};
+
+std::unique_ptr<SurfacePiece> GltfWriter::new_piece() { return std::make_unique<GltfPiece>(*this); }
+
 GltfWriter::GltfWriter(const std::string& path, const std::string& comment,
                        const GltfOptions& options)
     : path_(path),
@@ -117,8 +136,8 @@ Json attributes_of(std::span<const Property> properties) {
   return attributes;
 }
 
-void GltfWriter::add(const NamedSurface& building, std::span<const std::string_view> symbols,
-                     std::span<const Look> looks) {
+void GltfWriter::write(const NamedSurface& building, std::span<const std::string_view> symbols,
+                       std::span<const Look> looks) {
   surface_ = building.surface;
   all_looks_ = looks;
   if (surface_->polygons() == 0) return;

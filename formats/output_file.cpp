@@ -57,13 +57,13 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::put(std::string_view text) {
-  while (!text.empty()) {
-    const std::string_view part = text.substr(0, block);
-    char* to = room(part.size());
-    std::memcpy(to, part.data(), part.size());
-    advance(to + part.size());
-    text.remove_prefix(part.size());
+  if (text.size() <= block) {
+    char* const to = room(text.size());
+    std::memcpy(to, text.data(), text.size());
+    return advance(to + text.size());
   }
+  flush();
+  write_out(text);
 }
 
 void OutputFile::commit() {
@@ -81,14 +81,18 @@ void OutputFile::commit() {
 }
 
 void OutputFile::flush() {
-  for (char* from = buffer_.get(); from < at_;) {
-    const ssize_t written = write(file_, from, at_ - from);
+  write_out({buffer_.get(), std::size_t(at_ - buffer_.get())});
+  at_ = buffer_.get();
+}
+
+void OutputFile::write_out(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(file_, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) fail(written < 0 ? errno : ENOSPC);
-    from += written;
-    flushed_ += written;
+    text.remove_prefix(static_cast<std::size_t>(written));
+    flushed_ += static_cast<std::size_t>(written);
   }
-  at_ = buffer_.get();
 }
 
 void OutputFile::fail(int error) const {

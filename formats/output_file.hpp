@@ -26,6 +26,7 @@ class OutputFile {
     return at_;
   }
   void advance(char* end) { at_ = end; }
+  /// Much of it goes straight to the system.
   void put(std::string_view text);
   void commit();
   std::size_t bytes() const { return flushed_ + (at_ - buffer_.get()); }
@@ -36,6 +37,7 @@ class OutputFile {
  private:
   void open_temporary();
   void flush();
+  void write_out(std::string_view text);
   [[noreturn]] void fail(int error) const;
 
   static constexpr std::size_t capacity = 2 << 20;

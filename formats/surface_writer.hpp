@@ -43,16 +43,44 @@ struct GltfOptions {
   bool draco = false;  ///< KHR_draco_mesh_compression, to a tenth of a millimetre
 };
 
+/// A building's way into the file, in four steps; reused for the next one, so that its memory is.
+/// Many are on their way at once. The building must stay as it is until it is appended.
+class SurfacePiece {
+ public:
+  virtual ~SurfacePiece() = default;
+  /// On any thread: what takes nothing but the building.
+  virtual void prepare(const NamedSurface& building) = 0;
+  /// In the order of the file, one building at a time: the names and numbers that follow from what
+  /// came before. Symbols and looks are numbered as in Surface::Run. The symbols stay as they are
+  /// until all is written; the looks may grow between calls.
+  virtual void number(std::span<const std::string_view> symbols, std::span<const Look> looks) = 0;
+  /// On any thread: the bytes.
+  virtual void format() = 0;
+  /// In the order of the file, one building at a time, while others are numbered.
+  virtual void append() = 0;
+};
+
 /// Writes beside `path` and renames at finish(); a writer that is destroyed before leaves nothing
 /// behind and what was there intact. Throws Failure for a full disk or a folder that is not there.
 class SurfaceWriter {
  public:
   virtual ~SurfaceWriter() = default;
-  /// Symbols and looks are numbered as in Surface::Run; both lists may grow between calls.
-  virtual void add(const NamedSurface& building, std::span<const std::string_view> symbols,
-                   std::span<const Look> looks) = 0;
-  /// Returns the number of bytes written.
+  /// On any thread. The writer must outlive it.
+  virtual std::unique_ptr<SurfacePiece> new_piece() = 0;
+  /// All four steps, for who has one building after the other.
+  void add(const NamedSurface& building, std::span<const std::string_view> symbols,
+           std::span<const Look> looks) {
+    if (!piece_) piece_ = new_piece();
+    piece_->prepare(building);
+    piece_->number(symbols, looks);
+    piece_->format();
+    piece_->append();
+  }
+  /// When all are appended. Returns the number of bytes written.
   virtual std::size_t finish(std::span<const Look> looks) = 0;
+
+ private:
+  std::unique_ptr<SurfacePiece> piece_;  ///< of add()
 };
 
 /// OBJ with MTL and textures beside it: an object a building, a group a symbol, polygons kept; the

@@ -88,6 +88,7 @@ struct Surface {
   std::vector<Placed> placed;  ///< in the order of their polygons
 
   std::size_t polygons() const { return ends.size(); }
+  bool has_uvs() const { return uvs.size() == points.size(); }
   uint32_t begin(std::size_t polygon) const { return polygon == 0 ? 0 : ends[polygon - 1]; }
   std::span<const Vec3> loop(std::size_t polygon) const {
     return {points.data() + begin(polygon), points.data() + ends[polygon]};

@@ -1,9 +1,11 @@
-// After the first few buildings a derivation asks the heap for nothing.
+// After the first few buildings neither deriving nor writing asks the heap for anything.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <new>
 
+#include "formats/surface_writer.hpp"
+#include "tests/formats/support.hpp"
 #include "tests/laws/derive.hpp"
 
 namespace {
@@ -91,4 +93,38 @@ TEST_CASE("splits that snap need no heap") {
     }
 })"),
                    20) == 0);
+}
+
+namespace {
+
+/// Heap calls while boxes `from` to 100 are written, in the steps that are many to a building; a
+/// building's name may take some.
+std::size_t heap_calls_of_writing(std::unique_ptr<SurfaceWriter> writer, std::size_t from) {
+  const Script script = Script::file("bench/facade_box.style");
+  const Building building = script.derive("rect:10x8");
+  std::vector<std::string_view> symbols;
+  for (uint32_t i = 0; i < script.program().symbols.size(); ++i)
+    symbols.push_back(script.program().symbols[i]);
+  const std::vector<Look> looks(script.program().materials.size(), {"plain", {}, 1, {}});
+  const auto piece = writer->new_piece();
+  allocations = 0;
+  for (std::size_t i = 0; i < 100; ++i) {
+    counting = i >= from;
+    piece->prepare({building.id, &building.surface});
+    counting = false;
+    piece->number(symbols, looks);
+    counting = i >= from;
+    piece->format();
+    piece->append();
+  }
+  counting = false;
+  writer->finish(looks);
+  return allocations;
+}
+
+}  // namespace
+
+TEST_CASE("writing an OBJ needs no heap after the first few but for names") {
+  const Folder folder;
+  CHECK(heap_calls_of_writing(write_obj(folder / "boxes.obj", Up::y, ""), 20) == 0);
 }
