@@ -12,7 +12,8 @@
 #include <csignal>
 #include <deque>
 #include <exception>
-#include <mutex>
+
+#include "formats/stock.hpp"
 
 namespace mansard {
 namespace {
@@ -46,27 +47,6 @@ struct Batch {
   }
 };
 
-/// Reused so that their memory is.
-class Batches {
- public:
-  Batch* take() {
-    const std::scoped_lock lock(mutex_);
-    if (free_.empty()) return &all_.emplace_back();
-    Batch* const batch = free_.back();
-    free_.pop_back();
-    return batch;
-  }
-  void give_back(Batch* batch) {
-    const std::scoped_lock lock(mutex_);
-    free_.push_back(batch);
-  }
-
- private:
-  std::mutex mutex_;
-  std::deque<Batch> all_;
-  std::vector<Batch*> free_;
-};
-
 class Line {
  public:
   Line(const Program& program, MeshSource& meshes, const std::vector<Footprint>& footprints,
@@ -92,7 +72,7 @@ class Line {
   const bool keep_going_;
   const Steps& steps_;
   tbb::enumerable_thread_specific<Derivation> derivations_;
-  Batches batches_;
+  Stock<Batch> batches_;
   std::size_t next_ = 0;
   std::atomic<bool> ended_{false};
   std::atomic<std::size_t> derived_{0}, points_{0};

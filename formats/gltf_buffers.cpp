@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <optional>
 
-#include "formats/draco_module.hpp"
-#include "formats/module.hpp"
 #include "formats/numbers.hpp"
-#include "grammar/diagnostic.hpp"
 
 namespace mansard {
 
@@ -43,13 +39,12 @@ std::string accessor(std::optional<Place> place, int type, uint64_t count, std::
          ",\"count\":" + std::to_string(count) + ",\"type\":\"" + std::string(shape) + "\"";
 }
 
-std::string bounds_of(const GltfPrimitive& primitive) {
-  return ",\"min\":" + list_of(primitive.low()) + ",\"max\":" + list_of(primitive.high());
+std::string bounds_of(const GltfPart& part) {
+  return ",\"min\":" + list_of(part.low) + ",\"max\":" + list_of(part.high);
 }
 
-/// As short as the vertices allow; 65535 is no index.
-int index_type(uint64_t vertices) {
-  return vertices <= std::numeric_limits<uint16_t>::max() ? unsigned_short : unsigned_int;
+int index_type(const GltfPart& part) {
+  return part.short_indices() ? unsigned_short : unsigned_int;
 }
 
 }  // namespace
@@ -62,19 +57,18 @@ GltfBuffers::GltfBuffers(const std::string& model, bool draco)
       views_(model),
       accessors_(model) {}
 
-std::string GltfBuffers::add(const GltfPrimitive& primitive) {
-  if (draco_) return add_draco(primitive);
-  std::string text =
-      "\"attributes\":{\"POSITION\":" +
-      std::to_string(add_vectors(points, primitive.positions(), 3, &primitive)) +
-      ",\"NORMAL\":" + std::to_string(add_vectors(normals, primitive.normals(), 3, nullptr));
-  if (primitive.has_uvs())
-    text += ",\"TEXCOORD_0\":" + std::to_string(add_vectors(uvs, primitive.uvs(), 2, nullptr));
-  if (!primitive.tangents().empty()) {
-    const uint64_t number = add_vectors(tangents, primitive.tangents(), 4, nullptr);
-    text += ",\"TANGENT\":" + std::to_string(number);
-  }
-  return text + "},\"indices\":" + std::to_string(add_indices(primitive));
+std::string GltfBuffers::add(const GltfPart& part, std::string_view bytes) {
+  if (draco_) return add_draco(part, bytes);
+  const auto vectors = [&](Kind kind, uint32_t width) {
+    const std::string_view all = bytes.substr(0, part.vertices * width * sizeof(float));
+    bytes.remove_prefix(all.size());
+    return std::to_string(add_vectors(kind, all, width, part));
+  };
+  const std::string normal = vectors(normals, 3), position = vectors(points, 3);
+  std::string text = "\"attributes\":{\"POSITION\":" + position + ",\"NORMAL\":" + normal;
+  if (part.uvs) text += ",\"TEXCOORD_0\":" + vectors(uvs, 2);
+  if (part.tangents) text += ",\"TANGENT\":" + vectors(tangents, 4);
+  return text + "},\"indices\":" + std::to_string(add_indices(part, bytes));
 }
 
 std::size_t GltfBuffers::view_of(Kind kind) {
@@ -84,79 +78,41 @@ std::size_t GltfBuffers::view_of(Kind kind) {
   return number;
 }
 
-uint64_t GltfBuffers::add_vectors(Kind kind, std::span<const float> values, uint32_t width,
-                                  const GltfPrimitive* bounded) {
+uint64_t GltfBuffers::add_vectors(Kind kind, std::string_view bytes, uint32_t width,
+                                  const GltfPart& part) {
   Spool& spool = kinds_[kind];
-  std::string text = accessor(Place{view_of(kind), spool.bytes()}, float_number,
-                              values.size() / width, "VEC" + std::to_string(width));
-  if (bounded) text += bounds_of(*bounded);
-  spool.put_all(values);
+  std::string text = accessor(Place{view_of(kind), spool.bytes()}, float_number, part.vertices,
+                              "VEC" + std::to_string(width));
+  if (kind == points) text += bounds_of(part);
+  spool.put(bytes);
   return accessors_.add(text + "}");
 }
 
-uint64_t GltfBuffers::add_indices(const GltfPrimitive& primitive) {
+uint64_t GltfBuffers::add_indices(const GltfPart& part, std::string_view bytes) {
   Spool& spool = kinds_[indices];
-  const std::span<const uint32_t> all = primitive.indices();
-  const int type = index_type(primitive.vertices());
   const std::string text =
-      accessor(Place{view_of(indices), spool.bytes()}, type, all.size(), "SCALAR");
-  if (type == unsigned_short) {
-    for (const uint32_t i : all) {
-      const auto index = static_cast<uint16_t>(i);
-      spool.put(&index, sizeof index);
-    }
-  } else {
-    spool.put_all(all);
-  }
-  spool.align();
+      accessor(Place{view_of(indices), spool.bytes()}, index_type(part), part.corners, "SCALAR");
+  spool.put(bytes);
   return accessors_.add(text + "}");
 }
-
-// ---- Draco
-
-namespace {
-
-void encode(DracoTriangles& triangles) {
-  std::string problem;
-  const auto encoder = reinterpret_cast<decltype(&mansard_encode_draco)>(
-      module_symbol("mansard_draco", "mansard_encode_draco", problem));
-  if (encoder && encoder(triangles, problem)) return;
-  Diagnostic d;
-  d.text = "Draco can not compress the model: " + problem;
-  d.help = "write it without --compress";
-  throw Failure(std::move(d));
-}
-
-}  // namespace
 
 /// The accessors say what the decoder will give and have no view.
-std::string GltfBuffers::add_draco(const GltfPrimitive& primitive) {
-  using What = DracoTriangles::Kind;
-  const std::array<DracoTriangles::Attribute, 4> attributes{
-      {{What::position, primitive.positions()},
-       {What::normal, primitive.normals()},
-       {What::uv, primitive.uvs()},
-       {What::tangent, primitive.tangents()}}};
-  const std::size_t given = !primitive.has_uvs() ? 2 : primitive.tangents().empty() ? 3 : 4;
-  DracoTriangles triangles;
-  triangles.attributes = std::span(attributes).first(given);
-  triangles.indices = primitive.indices();
-  encode(triangles);
+std::string GltfBuffers::add_draco(const GltfPart& part, std::string_view bytes) {
+  constexpr std::array<std::string_view, 4> names{"POSITION", "NORMAL", "TEXCOORD_0", "TANGENT"};
+  constexpr std::array<std::string_view, 4> shapes{"VEC3", "VEC3", "VEC2", "VEC4"};
+  const std::size_t given = !part.uvs ? 2 : !part.tangents ? 3 : 4;
   std::string accessor_numbers, draco_numbers;
-  for (std::size_t i = 0; i < triangles.attributes.size(); ++i) {
-    constexpr std::array<std::string_view, 4> names{"POSITION", "NORMAL", "TEXCOORD_0", "TANGENT"};
-    constexpr std::array<std::string_view, 4> shapes{"VEC3", "VEC3", "VEC2", "VEC4"};
-    std::string text = accessor({}, float_number, triangles.vertices, shapes[i]);
-    if (i == 0) text += bounds_of(primitive);
+  for (std::size_t i = 0; i < given; ++i) {
+    std::string text = accessor({}, float_number, part.vertices, shapes[i]);
+    if (i == 0) text += bounds_of(part);
     const std::string key = (i == 0 ? "\"" : ",\"") + std::string(names[i]) + "\":";
     accessor_numbers += key + std::to_string(accessors_.add(text + "}"));
     draco_numbers += key + std::to_string(i);
   }
-  const uint64_t index_accessor = accessors_.add(
-      accessor({}, index_type(triangles.vertices), 3 * uint64_t(triangles.triangles), "SCALAR") +
-      "}");
-  add_view(compressed_.bytes(), triangles.bytes.size(), "");
-  compressed_.put(triangles.bytes);
+  const uint64_t index_accessor =
+      accessors_.add(accessor({}, index_type(part), part.corners, "SCALAR") + "}");
+  add_view(compressed_.bytes(), bytes.size(), "");
+  compressed_.put(bytes);
   compressed_.align();
   return "\"attributes\":{" + accessor_numbers + "},\"indices\":" + std::to_string(index_accessor) +
          ",\"extensions\":{\"KHR_draco_mesh_compression\":{\"bufferView\":" +

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "formats/gltf_parts.hpp"
 #include "formats/gltf_placed.hpp"
-#include "formats/gltf_primitive.hpp"
 #include "formats/spool.hpp"
 
 namespace mansard {
@@ -39,9 +39,9 @@ class GltfBuffers {
  public:
   GltfBuffers(const std::string& model, bool draco);
 
-  /// Takes the primitive's vertices and indices. Returns its members "attributes", "indices" and,
-  /// for what Draco compressed, "extensions".
-  std::string add(const GltfPrimitive& primitive);
+  /// Takes a primitive's bytes. Returns its members "attributes", "indices" and, for what Draco
+  /// compressed, "extensions".
+  std::string add(const GltfPart& part, std::string_view bytes);
   /// Takes places of instances. Returns the member "attributes" of EXT_mesh_gpu_instancing.
   std::string add(std::span<const GltfPlace> instances);
   /// How many views there are before those of pictures, when nothing more comes.
@@ -59,10 +59,9 @@ class GltfBuffers {
   enum Kind : uint8_t { points, normals, indices, uvs, tangents, instances };
   std::size_t view_of(Kind kind);
   void add_view(uint64_t offset, uint64_t bytes, std::string_view rest);
-  uint64_t add_vectors(Kind kind, std::span<const float> values, uint32_t width,
-                       const GltfPrimitive* bounded);
-  uint64_t add_indices(const GltfPrimitive& primitive);
-  std::string add_draco(const GltfPrimitive& primitive);
+  uint64_t add_vectors(Kind kind, std::string_view bytes, uint32_t width, const GltfPart& part);
+  uint64_t add_indices(const GltfPart& part, std::string_view bytes);
+  std::string add_draco(const GltfPart& part, std::string_view bytes);
 
   bool draco_;
   std::array<Spool, 6> kinds_;  ///< of primitives that are not compressed, and of instances

@@ -68,23 +68,6 @@ Surface own_frame(const Surface& surface, const Surface::Placed& placed) {
   return own;
 }
 
-void GltfShared::find(const Surface& surface) {
-  kinds_.assign(surface.placed.size(), nullptr);
-  once_.clear();
-  for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    const Surface::Placed& placed = surface.placed[i];
-    if (!is_worth_it(placed)) continue;
-    set_key(surface, placed);
-    if (const auto known = all_.find(key_); known != all_.end()) {
-      kinds_[i] = &known->second;
-    } else if (placed.mesh) {
-      kinds_[i] = &all_[key_];
-    } else if (const auto [first, fresh] = once_.try_emplace(key_, i); !fresh) {
-      kinds_[i] = kinds_[first->second] = &all_[key_];
-    }
-  }
-}
-
 /// Measured: a node takes some 230 bytes of text and a client's draw call, an instance on the
 /// graphics card 40 bytes, a polygon of four corners 110. So nodes pay from some eight polygons on,
 /// and windows made of a pane and four reveals stay polygons; instances pay for every box.
@@ -99,8 +82,8 @@ bool GltfShared::is_worth_it(const Surface::Placed& placed) const {
 namespace {
 
 /// The polygons as their own frame has them, to a hundred-thousandth of their extent.
-std::array<uint64_t, 2> hash_of_polygons(const Surface& surface, const Surface::Placed& placed) {
-  std::array<uint64_t, 2> hash{1, 2};
+GltfSharable::Hash hash_of_polygons(const Surface& surface, const Surface::Placed& placed) {
+  GltfSharable::Hash hash{1, 2};
   const auto add = [&](uint64_t value) {
     hash[0] = std::rotl((hash[0] ^ value) * 0x9e3779b97f4a7c15, 29);
     hash[1] = std::rotl((hash[1] ^ value) * 0xc2b2ae3d27d4eb4f, 31);
@@ -122,10 +105,36 @@ std::array<uint64_t, 2> hash_of_polygons(const Surface& surface, const Surface::
 
 }  // namespace
 
-void GltfShared::set_key(const Surface& surface, const Surface::Placed& placed) {
+void GltfShared::find_sharable(const Surface& surface, std::vector<GltfSharable>& sharable) const {
+  sharable.clear();
+  for (uint32_t i = 0; i < surface.placed.size(); ++i) {
+    const Surface::Placed& placed = surface.placed[i];
+    if (!is_worth_it(placed)) continue;
+    sharable.push_back({i, placed.mesh ? GltfSharable::Hash{} : hash_of_polygons(surface, placed)});
+  }
+}
+
+void GltfShared::find(const Surface& surface, std::span<const GltfSharable> sharable,
+                      std::vector<GltfMesh*>& meshes) {
+  meshes.assign(surface.placed.size(), nullptr);
+  once_.clear();
+  for (const GltfSharable& one : sharable) {
+    set_key(surface, one);
+    if (const auto known = all_.find(key_); known != all_.end()) {
+      meshes[one.placed] = &known->second;
+    } else if (surface.placed[one.placed].mesh) {
+      meshes[one.placed] = &all_[key_];
+    } else if (const auto [first, fresh] = once_.try_emplace(key_, one.placed); !fresh) {
+      meshes[one.placed] = meshes[first->second] = &all_[key_];
+    }
+  }
+}
+
+void GltfShared::set_key(const Surface& surface, const GltfSharable& sharable) {
+  const Surface::Placed& placed = surface.placed[sharable.placed];
   auto& [mesh, hash, looks] = key_;
   mesh = placed.mesh;
-  hash = mesh ? std::array<uint64_t, 2>{} : hash_of_polygons(surface, placed);
+  hash = sharable.hash;
   looks.clear();
   auto run = std::ranges::upper_bound(surface.runs, placed.begin, {}, &Surface::Run::end);
   for (;; ++run) {

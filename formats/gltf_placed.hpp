@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -22,32 +23,41 @@ struct GltfPlace {
 
 GltfPlace place_of(const Surface::Placed& placed, Vec3 origin);
 
-/// Numbers of the meshes that were written, by what they look like.
+/// What of a building may be shared, and a hash of the polygons where the mesh is of no file.
+struct GltfSharable {
+  using Hash = std::array<uint64_t, 2>;
+  uint32_t placed = 0;  ///< its number among the surface's
+  Hash hash{};
+};
+
+/// A mesh that is shared.
+struct GltfMesh {
+  bool claimed = false;            ///< a building brings it; of number()
+  std::optional<uint64_t> number;  ///< in the file; of append()
+};
+
+/// Shared meshes by what they look like.
 class GltfShared {
  public:
   explicit GltfShared(Instancing instancing) : instancing_(instancing) {}
 
-  /// Chooses what of the building is written as a shared mesh: meshes of files, and solids that
-  /// come twice in it or that other buildings shared; all as large as makes sharing worth it.
-  void find(const Surface& surface);
-  /// Whether the building's placed mesh of this number is shared.
-  bool is_shared(std::size_t number) const { return kinds_[number] != nullptr; }
-  /// Its mesh; none before set_mesh().
-  std::optional<uint64_t> mesh(std::size_t number) const { return *kinds_[number]; }
-  void set_mesh(std::size_t number, uint64_t mesh) { *kinds_[number] = mesh; }
+  /// What is large enough to make sharing worth it. On any thread.
+  void find_sharable(const Surface& surface, std::vector<GltfSharable>& sharable) const;
+  /// Chooses what of it is written as a shared mesh: meshes of files, and solids that come twice in
+  /// the building or that other buildings shared. A mesh, or null, by placed number.
+  void find(const Surface& surface, std::span<const GltfSharable> sharable,
+            std::vector<GltfMesh*>& meshes);
 
  private:
-  using Hash = std::array<uint64_t, 2>;
-  /// The file's mesh, or a hash of the polygons in their own frame; material and end of each run.
-  using Key = std::tuple<const Mesh*, Hash, std::vector<uint32_t>>;
+  /// The file's mesh, or the hash; material and end of each run.
+  using Key = std::tuple<const Mesh*, GltfSharable::Hash, std::vector<uint32_t>>;
 
   bool is_worth_it(const Surface::Placed& placed) const;
-  void set_key(const Surface& surface, const Surface::Placed& placed);
+  void set_key(const Surface& surface, const GltfSharable& sharable);
 
   Instancing instancing_;
-  std::map<Key, std::optional<uint64_t>> all_;
-  std::vector<std::optional<uint64_t>*> kinds_;  ///< of the building's placed meshes, into all_
-  std::map<Key, std::size_t> once_;              ///< solids of the building that came once so far
+  std::map<Key, GltfMesh> all_;
+  std::map<Key, std::size_t> once_;  ///< solids of the building that came once so far
   Key key_;
 };
 

@@ -66,6 +66,18 @@ void OutputFile::put(std::string_view text) {
   write_out(text);
 }
 
+uint64_t OutputFile::copy_from(int file, uint64_t bytes) {
+  flush();
+  off_t at = 0;
+  for (uint64_t left = bytes; left > 0; left = bytes - static_cast<uint64_t>(at)) {
+    const ssize_t copied = copy_file_range(file, &at, file_, nullptr, left, 0);
+    if (copied < 0 && errno == EINTR) continue;
+    if (copied <= 0) break;
+    flushed_ += static_cast<std::size_t>(copied);
+  }
+  return static_cast<uint64_t>(at);
+}
+
 void OutputFile::commit() {
   flush();
   if (nameless_) {

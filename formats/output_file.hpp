@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -28,6 +29,9 @@ class OutputFile {
   void advance(char* end) { at_ = end; }
   /// Much of it goes straight to the system.
   void put(std::string_view text);
+  /// Appends the first bytes of an open file, as many of these as the system copies by itself
+  /// (none, where one of the two is no file or they lie too far apart), and returns how many.
+  uint64_t copy_from(int file, uint64_t bytes);
   void commit();
   std::size_t bytes() const { return flushed_ + (at_ - buffer_.get()); }
   bool is_regular() const { return regular_; }

@@ -55,7 +55,7 @@ void Spool::flush() {
 
 void Spool::copy_to(OutputFile& out) {
   flush();
-  for (uint64_t at = 0; at < flushed_;) {
+  for (uint64_t at = out.copy_from(file_, flushed_); at < flushed_;) {
     char* const room = out.room(OutputFile::block);
     const ssize_t got = pread(file_, room, OutputFile::block, static_cast<off_t>(at));
     if (got < 0 && errno == EINTR) continue;
