@@ -73,13 +73,18 @@ void ObjText::face(const Surface& surface, std::size_t polygon, uint64_t normal,
   const std::size_t begin = surface.begin(polygon), end = surface.ends[polygon];
   char* to = text_.room((end - begin) * 4 * number_length + 2);
   *to++ = 'f';
+  point_.set(before.points + begin + 1);
+  uv_.set(before.uvs + begin + 1);
+  normal_.set(normal);
   for (std::size_t i = begin; i < end; ++i) {
     *to++ = ' ';
-    to = put_integer(to, before.points + i + 1);
+    to = point_.put(to);
     *to++ = '/';
-    if (with_uvs) to = put_integer(to, before.uvs + i + 1);
+    if (with_uvs) to = uv_.put(to);
     *to++ = '/';
-    to = put_integer(to, normal);
+    to = normal_.put(to);
+    point_.next();
+    uv_.next();
   }
   *to++ = '\n';
   text_.advance(to);

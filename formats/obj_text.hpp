@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "formats/numbers.hpp"
 #include "formats/surface_writer.hpp"
 #include "formats/text_buffer.hpp"
 
@@ -38,6 +39,7 @@ class ObjText {
 
   TextBuffer text_;
   Up up_;
+  CountedText point_, uv_, normal_;  ///< of a corner
 };
 
 }  // namespace mansard

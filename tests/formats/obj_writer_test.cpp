@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <random>
 #include <sstream>
@@ -138,6 +139,46 @@ TEST_CASE("numbers are short and exact to a tenth of a micrometre") {
   }
 }
 
+namespace {
+
+/// Digit by digit.
+std::string slow_text_of(double value) {
+  const long long n = std::llround(value * 1e7);
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%s%lld.%07lld", n < 0 ? "-" : "",
+                std::abs(n) / 10'000'000, std::abs(n) % 10'000'000);
+  std::string trimmed = text.data();
+  trimmed.erase(trimmed.find_last_not_of('0') + 1);
+  if (trimmed.back() == '.') trimmed.pop_back();
+  return trimmed;
+}
+
+}  // namespace
+
+TEST_CASE("numbers of all lengths have the digits that they should") {
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 200'000; ++i) {
+    const uint64_t whole = random() >> (random() % 64);
+    std::array<char, number_length> text;
+    REQUIRE(std::string(text.data(), put_integer(text.data(), whole)) == std::to_string(whole));
+    const double unit =
+        std::pow(10, double(random() % 8));  // few digits behind the point, and many
+    const double value = double(int64_t(random() % 20'000'000'000) - 10'000'000'000) / 10 / unit;
+    REQUIRE(text_of(value) == slow_text_of(value));
+  }
+}
+
+TEST_CASE("counting gives the numbers one after the other") {
+  CountedText count;
+  for (const uint64_t first : {0ul, 1ul, 9'990ul, 99'999'900ul, 99'999'999ul, 9'999'999'990ul}) {
+    count.set(first);
+    for (uint64_t i = first; i < first + 1200; ++i, count.next()) {
+      std::array<char, number_length> text;
+      REQUIRE(std::string(text.data(), count.put(text.data())) == std::to_string(i));
+    }
+  }
+}
+
 TEST_CASE("an OBJ is objects, groups, materials and polygons") {
   const Folder folder;
   Surface s;
@@ -207,6 +248,7 @@ TEST_CASE("random surfaces come back through tinyobjloader and Assimp") {
   const Folder folder;
   const std::string path = folder / "random.obj";
   std::vector<Surface> buildings;
+  buildings.reserve(20);
   for (int i = 0; i < 20; ++i) buildings.push_back(random_surface(random, 1 + i * 15));
   const auto writer = write_obj(path, Up::y, "random");
   Loops expected;
