@@ -49,16 +49,16 @@ class Derive {
   const ModelOptions& models_;
   const bool keep_going_;
   Remarks remarks_;
-  FootprintSet set_;
+  StoredSet set_;
   std::vector<std::string_view> symbols_;
   std::vector<Level> levels_;
-  std::vector<const Footprint*> failed_;  ///< of the level that was derived
+  std::vector<std::size_t> failed_;  ///< numbers, of the level that was derived
 };
 
 int Derive::run() {
   const Program& program = session_.program();
   std::size_t left_out = 0;
-  set_ = footprints(session_, arguments_.positional()[1], arguments_, left_out);
+  set_ = stored_footprints(session_, arguments_.positional()[1], arguments_, left_out);
   const DeriveOptions options = derive_options(arguments_, program, models_.targets.front().lod);
   const std::string comment = model_comment(program, set_, options);
   for (const ModelTarget& target : models_.targets)
@@ -125,7 +125,7 @@ void Derive::number(Level& level, Derived& derived) {
   if (&level == &levels_.front()) remarks_.add(building);
   if (derived.error) {
     session_.print(*derived.error);
-    failed_.push_back(derived.footprint);
+    failed_.push_back(derived.number);
     return level.report.add_failure(building.id, *derived.error);
   }
   level.looks.adopt(building);
@@ -135,15 +135,15 @@ void Derive::number(Level& level, Derived& derived) {
 
 /// What failed at one level of detail is not tried at the next ones.
 void Derive::leave_out_failed() {
-  std::size_t kept = 0, next = 0;
-  for (Footprint& footprint : set_.footprints) {
-    if (next < failed_.size() && failed_[next] == &footprint) {
+  std::vector<uint32_t> kept;
+  for (uint32_t number = 0, next = 0; number < set_.footprints.size(); ++number) {
+    if (next < failed_.size() && failed_[next] == number) {
       ++next;
-    } else if (Footprint& to = set_.footprints[kept++]; &to != &footprint) {
-      to = std::move(footprint);
+    } else {
+      kept.push_back(number);
     }
   }
-  set_.footprints.resize(kept);
+  set_.footprints.keep(kept);
   failed_.clear();
 }
 

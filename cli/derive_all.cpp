@@ -49,7 +49,7 @@ struct Batch {
 
 class Line {
  public:
-  Line(const Program& program, MeshSource& meshes, const std::vector<Footprint>& footprints,
+  Line(const Program& program, MeshSource& meshes, const FootprintSource& footprints,
        const DeriveOptions& options, std::size_t threads, bool keep_going, const Steps& steps)
       : footprints_(footprints),
         threads_(threads),
@@ -67,7 +67,7 @@ class Line {
   void append(Batch& batch);
   std::size_t batch_size() const;
 
-  const std::vector<Footprint>& footprints_;
+  const FootprintSource& footprints_;
   const std::size_t threads_;
   const bool keep_going_;
   const Steps& steps_;
@@ -134,8 +134,9 @@ void Line::derive(Batch& batch) {
     Passenger& p = batch.all[i];
     p.error.reset();
     p.thrown = nullptr;
-    p.footprint = &footprints_[batch.first + i];
+    p.number = batch.first + i;
     try {
+      p.footprint = &footprints_.get(p.number, p.room);
       derivation.derive(*p.footprint, p.building);
       if (steps_.prepare) steps_.prepare(p);
     } catch (Failure& failure) {
@@ -179,9 +180,8 @@ void Line::append(Batch& batch) {
 
 }  // namespace
 
-Totals derive_all(const Program& program, MeshSource& meshes,
-                  const std::vector<Footprint>& footprints, const DeriveOptions& options,
-                  int threads, bool keep_going, const Steps& steps) {
+Totals derive_all(const Program& program, MeshSource& meshes, const FootprintSource& footprints,
+                  const DeriveOptions& options, int threads, bool keep_going, const Steps& steps) {
   std::signal(SIGINT, ask_to_stop);
   const int cores = tbb::info::default_concurrency();
   const int count = threads > 0 ? std::min(threads, cores) : cores;

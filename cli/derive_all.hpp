@@ -14,7 +14,9 @@ namespace mansard {
 /// What came of a footprint. Used again for a later one, so that its memory is.
 struct Derived {
   Building building;
-  const Footprint* footprint = nullptr;
+  const Footprint* footprint = nullptr;  ///< until the next one
+  std::size_t number = 0;                ///< its own
+  Footprint room;                        ///< where it may lie
   std::optional<Diagnostic> error;
   // ---- for steps that write or count
   std::unique_ptr<SurfacePiece> piece;
@@ -39,8 +41,7 @@ struct Steps {
 /// Takes every footprint through the steps, on so many threads (0: all), at most one a core.
 /// Without `keep_going` the first error ends it. Ctrl-C ends it too. The same results in the same
 /// order for any number of threads; what a step throws comes out as if there were one thread.
-Totals derive_all(const Program& program, MeshSource& meshes,
-                  const std::vector<Footprint>& footprints, const DeriveOptions& options,
-                  int threads, bool keep_going, const Steps& steps);
+Totals derive_all(const Program& program, MeshSource& meshes, const FootprintSource& footprints,
+                  const DeriveOptions& options, int threads, bool keep_going, const Steps& steps);
 
 }  // namespace mansard

@@ -57,7 +57,7 @@ std::vector<std::string_view> symbol_names(const Program& program) {
   return names;
 }
 
-std::string model_comment(const Program& program, const FootprintSet& set,
+std::string model_comment(const Program& program, const FootprintFacts& set,
                           const DeriveOptions& options) {
   return "style " + std::string(program.styles[program.main_style].name) + ", seed " +
          std::to_string(options.seed) + (set.origin.empty() ? "" : "\n" + set.origin);

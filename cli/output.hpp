@@ -35,7 +35,7 @@ class Looks {
 
 std::vector<std::string_view> symbol_names(const Program& program);
 /// What stands in the head of a model: style, seed, and how to get back to the footprints' place.
-std::string model_comment(const Program& program, const FootprintSet& set,
+std::string model_comment(const Program& program, const FootprintFacts& set,
                           const DeriveOptions& options);
 
 /// sRGB to linear, per channel.

@@ -45,7 +45,7 @@ std::optional<std::size_t> add_derivation(Session& session, const Arguments& arg
   if (!session.compile(arguments.positional()[0], compile_options(arguments))) return std::nullopt;
   std::size_t failed = 0;
   const bool keep_going = arguments.has("--keep-going");
-  const FootprintSet set = footprints(session, arguments.positional()[1], arguments, failed);
+  const StoredSet set = stored_footprints(session, arguments.positional()[1], arguments, failed);
   Looks looks(session.program());
   const Totals totals = [&] {
     Progress progress(set.footprints.size(), session.quiet());

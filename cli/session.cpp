@@ -168,11 +168,12 @@ namespace {
 
 /// A file of another place gives no wall a street, and nobody would see why.
 void check_near(const Session& session, const std::string& what,
-                const std::vector<StreetLine>& lines, const FootprintSet& set) {
+                const std::vector<StreetLine>& lines, const FootprintStore& footprints) {
   const Streets streets(lines);
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Footprint& footprint : set.footprints) {
-    for (const Vec2 p : footprint.polygon.points) {
+  Footprint footprint;
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    for (const Vec2 p : footprints.get(i, footprint).polygon.points) {
       if (const auto near = streets.nearest(p, p, nearest)) nearest = near->distance;
       if (nearest <= street_reach) return;
     }
@@ -187,7 +188,7 @@ void check_near(const Session& session, const std::string& what,
   session.print(d);
 }
 
-std::vector<StreetLine> streets(const Session& session, const FootprintSet& set,
+std::vector<StreetLine> streets(const Session& session, const StoredSet& set,
                                 const Arguments& arguments) {
   const auto what = arguments.value("--streets");
   for (const char* const flag : {"--streets-layer", "--streets-where"}) {
@@ -198,11 +199,11 @@ std::vector<StreetLine> streets(const Session& session, const FootprintSet& set,
   StreetSet read = read_streets(
       *what, {arguments.text("--streets-layer", ""), arguments.text("--streets-where", "")}, set);
   for (const std::string& note : read.notes) session.say("note: streets: " + note);
-  check_near(session, *what, read.lines, set);
+  check_near(session, *what, read.lines, set.footprints);
   return std::move(read.lines);
 }
 
-void say_dropped(const Session& session, const FootprintSet& set) {
+void say_dropped(const Session& session, const FootprintFacts& set) {
   char bound[32];
   std::snprintf(bound, sizeof bound, "%.1f", set.least_area);
   session.say(std::to_string(set.small.size()) +
@@ -210,39 +211,21 @@ void say_dropped(const Session& session, const FootprintSet& set) {
               " square metres, a tenth of the mean, left out");
 }
 
-}  // namespace
-
-FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
-                        std::size_t& failed) {
-  // Party walls are marked before neighbours are taken away.
-  FootprintOptions options = footprint_options(arguments);
-  const auto select = std::exchange(options.select, {});
-  const std::size_t limit = std::exchange(options.limit, 0);
-  FootprintSet set = read_footprints(what, options);
-  if (arguments.has("--drop-small")) {
-    drop_small(set);
-    say_dropped(session, set);
-  }
-  mark_neighbours(set.footprints, streets(session, set, arguments));
-  choose_footprints(set, select, limit);
-  if (session.compiled()) {
-    for (const Diagnostic& d : misnamed_properties(session.program(), set.footprints)) {
-      session.print(d);
-    }
-  }
+/// Returns how many were left out.
+std::size_t tell(const Session& session, const std::vector<FootprintNote>& notes, bool keep_going) {
   constexpr std::size_t most_notes = 10;
-  std::size_t repaired = 0;
-  for (const FootprintNote& note : set.notes) {
+  std::size_t repaired = 0, left_out = 0;
+  for (const FootprintNote& note : notes) {
     const std::string text =
         note.id.empty() ? note.text : "footprint '" + note.id + "': " + note.text;
-    if (note.broken && !arguments.has("--keep-going")) {
+    if (note.broken && !keep_going) {
       Diagnostic d;
       d.text = text;
       d.help = "--keep-going leaves it out and derives the rest";
       throw Failure(std::move(d));
     }
     if (note.broken) {
-      ++failed;
+      ++left_out;
       Diagnostic d;
       d.text = text + "; it is left out";
       session.print(d);
@@ -252,7 +235,35 @@ FootprintSet footprints(const Session& session, const std::string& what, const A
   }
   if (repaired > most_notes)
     session.say("note: and " + std::to_string(repaired - most_notes) + " more like these");
+  return left_out;
+}
+
+}  // namespace
+
+StoredSet stored_footprints(const Session& session, const std::string& what,
+                            const Arguments& arguments, std::size_t& failed) {
+  // Party walls are marked before neighbours are taken away.
+  FootprintOptions options = footprint_options(arguments);
+  const auto select = std::exchange(options.select, {});
+  const std::size_t limit = std::exchange(options.limit, 0);
+  StoredSet set = store_footprints(what, options);
+  if (arguments.has("--drop-small")) {
+    drop_small(set);
+    say_dropped(session, set);
+  }
+  mark_neighbours(set, streets(session, set, arguments));
+  choose_footprints(set, select, limit);
+  if (session.compiled()) {
+    for (const Diagnostic& d : misnamed_properties(session.program(), set.properties))
+      session.print(d);
+  }
+  failed += tell(session, set.notes, arguments.has("--keep-going"));
   return set;
+}
+
+FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
+                        std::size_t& failed) {
+  return read_all(stored_footprints(session, what, arguments, failed));
 }
 
 }  // namespace mansard

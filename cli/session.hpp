@@ -91,6 +91,9 @@ int thread_option(const Arguments& arguments);
 FootprintOptions footprint_options(const Arguments& arguments);
 /// Reads, marks neighbours, says what was repaired. With `keep_going` broken footprints are
 /// reported and left out (`failed` counts them), else they are a Failure.
+StoredSet stored_footprints(const Session& session, const std::string& what,
+                            const Arguments& arguments, std::size_t& failed);
+/// The same, all in memory.
 FootprintSet footprints(const Session& session, const std::string& what, const Arguments& arguments,
                         std::size_t& failed);
 

@@ -74,7 +74,7 @@ class Vary {
   SheetOptions sheet_;
   Variations variations_;
   std::vector<Child> children_;
-  FootprintSet set_;
+  StoredSet set_;
   std::unique_ptr<Export> export_;
   std::vector<Cell> cells_;
   std::size_t failed_ = 0;
@@ -119,8 +119,8 @@ bool Vary::load() {
   if (!read || diagnostics.has_errors()) return false;
   Diagnostics warnings;
   variations_ = variations_of(arguments_, session_.library(), warnings);
-  set_ = footprints(session_, arguments_.positional()[1], arguments_, failed_);
-  if (!set_.footprints.empty()) return true;
+  set_ = stored_footprints(session_, arguments_.positional()[1], arguments_, failed_);
+  if (set_.footprints.size() > 0) return true;
   Diagnostic d;
   d.text = "there is no footprint to derive";
   throw Failure(std::move(d));
@@ -138,7 +138,8 @@ void Vary::lay_out() {
   if (set_.footprints.size() > 1) {
     on = std::to_string(set_.footprints.size()) + " footprints of " + on;
   } else if (is_file) {
-    on += ", " + set_.footprints[0].id;
+    Footprint room;
+    on += ", " + set_.footprints.get(0, room).id;
   }
   sheet_.title = unicode(variations_.common + " on " + on);
   const SheetSize size = sheet_size(count, sheet_);
@@ -238,8 +239,8 @@ void Vary::note_stronger(const Program& program) {
     const bool is_set = std::ranges::any_of(program.variables, [&](const VariableSlot& slot) {
       return slot.name == change.name && slot.settable;
     });
-    const bool is_property = std::ranges::any_of(
-        set_.footprints, [&](const Footprint& f) { return f.find(change.name) != nullptr; });
+    const bool is_property =
+        std::ranges::find(set_.properties, change.name) != set_.properties.end();
     if (!is_set && !is_property) continue;
     session_.say("note: '" + change.name + "' is also given by " +
                  (is_set ? "set() in a rule" : "a footprint's property") +
@@ -249,7 +250,7 @@ void Vary::note_stronger(const Program& program) {
 
 /// A property may be for another of the styles.
 void Vary::note_misnamed(const Program& program) {
-  const std::vector<Diagnostic> found = misnamed_properties(program, set_.footprints);
+  const std::vector<Diagnostic> found = misnamed_properties(program, set_.properties);
   if (!misnamed_) misnamed_ = found;
   std::erase_if(*misnamed_, [&](const Diagnostic& d) {
     return std::ranges::find(found, d.text, &Diagnostic::text) == found.end();

@@ -37,7 +37,7 @@ RawSet read_gis(const std::string& path, const FootprintOptions& options) {
 }
 
 RawSet read_gis_lines(const std::string& path, const StreetOptions& options,
-                      const FootprintSet& beside) {
+                      const FootprintFacts& beside) {
   return read(
       {path, options.layer, options.where, "", GisRequest::Beside{beside.reference, beside.shift}});
 }

@@ -118,7 +118,7 @@ RawPolygon read_form(std::string_view what, std::string_view text, const Form& f
 RawSet alone(std::vector<RawPolygon> parts, bool rings_close) {
   RawSet set;
   set.rings_close = rings_close;
-  set.features.push_back({"0", std::move(parts), {}});
+  set.features->add({"0", std::move(parts), {}});
   return set;
 }
 

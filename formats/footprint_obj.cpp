@@ -31,12 +31,13 @@ RawSet read_obj_footprints(const std::string& path) {
   std::unordered_map<std::string, std::size_t> faces_of;
   for (const ObjFile::Object& object : file->objects) {
     for (uint32_t f = object.begin; f < object.end; ++f) {
-      RawFeature& feature = set.features.emplace_back();
+      RawFeature feature;
       feature.id = face_id(object.name, f, ++faces_of[object.name]);
       RawRing& ring = feature.parts.emplace_back().emplace_back();
       for (uint32_t corner : mesh.loop(mesh.faces[f])) {
         ring.push_back({mesh.points[corner].x, -mesh.points[corner].z});
       }
+      set.features->add(feature);
     }
   }
   if (std::any_of(mesh.points.begin(), mesh.points.end(), [](Vec3 p) { return p.y != 0; })) {

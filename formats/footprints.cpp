@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "formats/footprint_sources.hpp"
+#include "formats/free_names.hpp"
 #include "formats/rings.hpp"
 
 namespace mansard {
@@ -60,23 +60,6 @@ RawSet read_raw(const std::string& what, const FootprintOptions& options) {
   return lower_ending(what) == ".obj" ? read_obj_footprints(what) : read_gis(what, options);
 }
 
-/// Hands out ids that nobody else has: a, a:2, a:3.
-class Ids {
- public:
-  std::string next(const std::string& wanted) {
-    std::string id = wanted;
-    for (std::size_t& n = given_[wanted]; !taken_.insert(id).second;) {
-      id = wanted + ":" + std::to_string(n = std::max<std::size_t>(n, 1) + 1);
-    }
-    return id;
-  }
-  bool is_taken(const std::string& id) const { return taken_.count(id) > 0; }
-
- private:
-  std::unordered_map<std::string, std::size_t> given_;
-  std::unordered_set<std::string> taken_;
-};
-
 void give(std::vector<Property>& to, const std::vector<Property>& attributes) {
   for (const Property& attribute : attributes) {
     const auto old = std::find_if(to.begin(), to.end(),
@@ -92,15 +75,15 @@ void give(std::vector<Property>& to, const std::vector<Property>& attributes) {
 /// From features to footprints: a building a polygon.
 class Building {
  public:
-  Building(RawSet raw, const FootprintOptions& options) : raw_(std::move(raw)), options_(options) {
-    set_.notes = std::move(raw_.notes);
-    set_.origin = raw_.origin;
-    set_.shift = raw_.shift;
-    set_.reference = std::move(raw_.reference);
+  Building(const RawSet& raw, const FootprintOptions& options) : raw_(raw), options_(options) {
+    set_.notes = raw.notes;
+    set_.origin = raw.origin;
+    set_.shift = raw.shift;
+    set_.reference = raw.reference;
   }
 
-  FootprintSet footprints() {
-    for (RawFeature& feature : raw_.features) add(feature);
+  StoredSet footprints() {
+    raw_.for_each([&](RawFeature& feature) { add(feature); });
     if (repeated_ > 0) {
       set_.notes.push_back(
           {"", std::to_string(repeated_) + " ids were given before and are numbered", false});
@@ -112,6 +95,9 @@ class Building {
   void add(RawFeature& feature) {
     if (ids_.is_taken(feature.id)) ++repeated_;
     give(feature.properties, options_.attributes);
+    for (const Property& property : feature.properties) {
+      if (names_.insert(property.name).second) set_.properties.push_back(property.name);
+    }
     if (feature.parts.empty()) {
       set_.notes.push_back({ids_.next(feature.id), "is empty", true});
       return;
@@ -132,16 +118,17 @@ class Building {
       set_.notes.push_back({id, note, cleaned.polygons.empty()});
     }
     for (std::size_t i = 0; i < cleaned.polygons.size(); ++i) {
-      set_.footprints.push_back({i == 0 ? id : ids_.next(feature.id),
-                                 std::move(cleaned.polygons[i]), feature.properties});
+      set_.footprints.add({i == 0 ? id : ids_.next(feature.id), std::move(cleaned.polygons[i]),
+                           feature.properties});
     }
     return cleaned.polygons.size();
   }
 
-  RawSet raw_;
+  const RawSet& raw_;
   const FootprintOptions& options_;
-  FootprintSet set_;
-  Ids ids_;
+  StoredSet set_;
+  FreeNames ids_{':'};
+  std::unordered_set<std::string> names_;  ///< of properties
   std::size_t repeated_ = 0;
 };
 
@@ -153,24 +140,28 @@ bool is_chosen(const std::string& id, const std::string& choice) {
          id.find_first_not_of("0123456789", choice.size() + 1) == id.npos;
 }
 
-void check_choice(const FootprintSet& set, const std::string& choice) {
-  const auto chosen = [&](const auto& x) { return is_chosen(x.id, choice); };
-  if (std::any_of(set.footprints.begin(), set.footprints.end(), chosen)) return;
-  if (std::any_of(set.notes.begin(), set.notes.end(), chosen)) return;  // broken, and said so
-  if (std::any_of(set.small.begin(), set.small.end(),
-                  [&](const std::string& id) { return is_chosen(id, choice); }))
+void check_choice(const StoredSet& set, const std::vector<std::string>& ids,
+                  const std::string& choice) {
+  const auto chosen = [&](const std::string& id) { return is_chosen(id, choice); };
+  if (std::ranges::any_of(ids, chosen)) return;
+  if (std::ranges::any_of(set.notes, chosen, &FootprintNote::id)) return;  // broken, and said so
+  if (std::ranges::any_of(set.small, chosen))
     fail("footprint '" + choice + "' has less than a tenth of the mean area and is left out",
          "derive it without --drop-small");
-  std::vector<std::string_view> ids;
-  for (const Footprint& footprint : set.footprints) ids.push_back(footprint.id);
-  const auto near = nearest(choice, ids);
+  const auto near = nearest(choice, std::vector<std::string_view>(ids.begin(), ids.end()));
   std::string help;
   if (near) {
     help = "did you mean '" + std::string(*near) + "'?";
   } else if (!ids.empty()) {
-    help = "ids here look like '" + std::string(ids.front()) + "'";
+    help = "ids here look like '" + ids.front() + "'";
   }
   fail("there is no footprint '" + choice + "'", help);
+}
+
+std::vector<std::string> ids_of(const FootprintStore& footprints) {
+  std::vector<std::string> ids;
+  footprints.for_each([&](uint32_t, const Footprint& footprint) { ids.push_back(footprint.id); });
+  return ids;
 }
 
 }  // namespace
@@ -188,40 +179,57 @@ void check_is_file(const std::string& what, std::string_view content, const std:
   }
 }
 
-FootprintSet read_footprints(const std::string& what, const FootprintOptions& options) {
-  FootprintSet set = Building(read_raw(what, options), options).footprints();
+StoredSet store_footprints(const std::string& what, const FootprintOptions& options) {
+  const RawSet raw = read_raw(what, options);
+  StoredSet set = Building(raw, options).footprints();
   choose_footprints(set, options.select, options.limit);
   return set;
 }
 
-void drop_small(FootprintSet& set, double share) {
+FootprintSet read_footprints(const std::string& what, const FootprintOptions& options) {
+  return read_all(store_footprints(what, options));
+}
+
+FootprintSet read_all(StoredSet stored) {
+  FootprintSet set{static_cast<FootprintFacts&&>(stored), {}};
+  set.footprints.resize(stored.footprints.size());
+  for (std::size_t i = 0; i < set.footprints.size(); ++i)
+    stored.footprints.get(i, set.footprints[i]);
+  return set;
+}
+
+void drop_small(StoredSet& set, double share) {
   double sum = 0;
-  for (const Footprint& footprint : set.footprints) sum += area(footprint.polygon);
+  set.footprints.for_each([&](uint32_t, const Footprint& f) { sum += area(f.polygon); });
   set.least_area =
       share * sum / static_cast<double>(std::max<std::size_t>(set.footprints.size(), 1));
-  std::unordered_set<std::string> dropped;
-  std::erase_if(set.footprints, [&](const Footprint& footprint) {
-    if (area(footprint.polygon) >= set.least_area) return false;
+  set.footprints.keep_if([&](const Footprint& footprint) {
+    if (area(footprint.polygon) >= set.least_area) return true;
     set.small.push_back(footprint.id);
-    dropped.insert(footprint.id);
-    return true;
+    return false;
   });
+  const std::unordered_set<std::string> dropped(set.small.begin(), set.small.end());
   std::erase_if(set.notes, [&](const FootprintNote& note) { return dropped.count(note.id) > 0; });
 }
 
-void choose_footprints(FootprintSet& set, const std::vector<std::string>& select,
-                       std::size_t limit) {
-  for (const std::string& choice : select) check_choice(set, choice);
+void choose_footprints(StoredSet& set, const std::vector<std::string>& select, std::size_t limit) {
+  if (select.empty() && limit == 0) return;
+  std::vector<std::string> ids = ids_of(set.footprints);
+  for (const std::string& choice : select) check_choice(set, ids, choice);
   const auto is_selected = [&](const std::string& id) {
     return select.empty() || std::any_of(select.begin(), select.end(),
                                          [&](const std::string& s) { return is_chosen(id, s); });
   };
-  std::erase_if(set.footprints, [&](const Footprint& f) { return !is_selected(f.id); });
-  if (limit > 0 && set.footprints.size() > limit) set.footprints.resize(limit);
+  std::vector<uint32_t> numbers;
+  std::unordered_set<std::string> kept;
+  for (uint32_t i = 0; i < ids.size(); ++i) {
+    if (!is_selected(ids[i]) || (limit > 0 && numbers.size() == limit)) continue;
+    numbers.push_back(i);
+    kept.insert(std::move(ids[i]));
+  }
+  set.footprints.keep(numbers);
 
   // Notes go with what they are about; when nothing is left they say why.
-  std::unordered_set<std::string> kept;
-  for (const Footprint& footprint : set.footprints) kept.insert(footprint.id);
   std::erase_if(set.notes, [&](const FootprintNote& note) {
     if (note.id.empty() || kept.count(note.id) > 0) return false;
     return !is_selected(note.id) || (limit > 0 && !kept.empty());

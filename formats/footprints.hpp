@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/footprint_store.hpp"
 #include "grammar/diagnostic.hpp"
 #include "interpreter/footprint.hpp"
 
@@ -34,14 +35,24 @@ struct Georeference {
   double unit = 1;
 };
 
-struct FootprintSet {
-  std::vector<Footprint> footprints;
-  std::vector<FootprintNote> notes;
-  std::string origin;  ///< how to get back: "local metres about lon 24.94, lat 60.17 (EPSG:4326)"
-  Vec2 shift;          ///< projected input: what was subtracted
-  Georeference reference;
-  std::vector<std::string> small;  ///< ids that drop_small left out
-  double least_area = 0;           ///< square metres: they had less
+/// What is known of a set beside the footprints.
+struct FootprintFacts {
+  std::vector<FootprintNote> notes{};
+  std::string origin{};  ///< how to get back: "local metres about lon 24.94, lat 60.17 (EPSG:4326)"
+  Vec2 shift{};          ///< projected input: what was subtracted
+  Georeference reference{};
+  std::vector<std::string> properties{};  ///< names that some footprint has, each once
+  std::vector<std::string> small{};       ///< ids that drop_small left out
+  double least_area = 0;                  ///< square metres: they had less
+};
+
+struct FootprintSet : FootprintFacts {
+  std::vector<Footprint> footprints{};
+};
+
+/// The same for any number: footprints beyond the first few thousand are on disk.
+struct StoredSet : FootprintFacts {
+  FootprintStore footprints{};
 };
 
 /// `what` is a path, or a literal: `rect:10x8`, `L:12x9x5x4`, `T:…`, `U:…`, `ring:…`, `WKT:…`.
@@ -49,17 +60,22 @@ struct FootprintSet {
 /// projected metres are shifted to it; other units are converted. Throws Failure when nothing can
 /// be read at all: no such file, a format GDAL does not know, a literal that is not one (the
 /// message says what is).
+StoredSet store_footprints(const std::string& what, const FootprintOptions& options);
 FootprintSet read_footprints(const std::string& what, const FootprintOptions& options);
+/// All of them in memory.
+FootprintSet read_all(StoredSet set);
 
 /// Leaves out footprints of less than `share` of the mean area of all, and their notes: sheds,
 /// garages and splinters of a map. Before party walls are marked: nobody shares a wall with what is
 /// not built.
-void drop_small(FootprintSet& set, double share = 0.1);
+void drop_small(StoredSet& set, double share = 0.1);
+
+/// mark_neighbours (interpreter/footprint.hpp) of what is stored.
+void mark_neighbours(StoredSet& set, const std::vector<StreetLine>& streets);
 
 /// Keeps the footprints with the ids of `select` (`a` also means its further parts a:2, a:3; empty:
-/// all), of these the first `limit` (0: all), and their notes. read_footprints does it too, but
+/// all), of these the first `limit` (0: all), and their notes. store_footprints does it too, but
 /// party walls must be marked before neighbours are taken away. Throws Failure for an unknown id.
-void choose_footprints(FootprintSet& set, const std::vector<std::string>& select,
-                       std::size_t limit);
+void choose_footprints(StoredSet& set, const std::vector<std::string>& select, std::size_t limit);
 
 }  // namespace mansard

@@ -112,21 +112,22 @@ GisFeatures::GisFeatures(GisGeometry geometry, const OGRFeatureDefn& fields, boo
   }
 }
 
-void GisFeatures::add(const OGRFeature& feature, RawSet& to) {
+bool GisFeatures::convert(const OGRFeature& feature, RawFeature& raw) {
   ++place_;
-  RawFeature raw;
+  raw.parts.clear();
+  raw.properties.clear();
   if (const OGRGeometry* geometry = feature.GetGeometryRef()) {
     const bool is_one = geometry_ == GisGeometry::areas ? add_areas(*geometry, raw.parts)
                                                         : add_lines(*geometry, raw.parts);
     if (!is_one) {
       ++others_;
-      return;
+      return false;
     }
     has_heights_ = has_heights_ || geometry->Is3D();
   }
   add_properties(feature, raw.properties);
   raw.id = prefix_ + id_of(feature, raw.properties);
-  to.features.push_back(std::move(raw));
+  return true;
 }
 
 void GisFeatures::add_properties(const OGRFeature& feature, std::vector<Property>& to) const {

@@ -22,9 +22,9 @@ class GisFeatures {
   GisFeatures(GisGeometry geometry, const OGRFeatureDefn& fields, bool has_ids, std::string id_name,
               std::string prefix);
 
-  /// Appends the feature, in the file's coordinates, unless its geometry is another. A line is a
-  /// part with one open ring.
-  void add(const OGRFeature& feature, RawSet& to);
+  /// Replaces `raw` by the feature, in the file's coordinates; false when its geometry is another.
+  /// A line is a part with one open ring.
+  bool convert(const OGRFeature& feature, RawFeature& raw);
 
   /// Features of another geometry.
   std::size_t others() const { return others_; }

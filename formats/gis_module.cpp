@@ -86,7 +86,7 @@ class Reader {
 
   void read() {
     for (OGRLayer* layer : chosen_layers()) read(*layer);
-    if (set_.features.empty()) fail_empty();
+    if (set_.features->size() == 0) fail_empty();
     if (heights_) set_.notes.push_back({"", "heights (Z) of the points are ignored", false});
     if (others_ > 0) {
       set_.notes.push_back(
@@ -195,7 +195,7 @@ bool Reader::gives_numbers(OGRLayer& layer) const {
 }
 
 void Reader::read_filtered(OGRLayer& layer, bool has_ids) {
-  GisRange range{set_.features.size(), 0, nullptr};
+  GisRange range{set_.features->size(), 0, nullptr, {}};
   if (const OGRSpatialReference* crs = layer.GetSpatialRef()) {
     systems_.emplace_back(crs->Clone());
     range.crs = systems_.back().get();
@@ -205,16 +205,19 @@ void Reader::read_filtered(OGRLayer& layer, bool has_ids) {
                        several_layers_ ? layer.GetName() + std::string("/") : "");
   messages_.clear();
   layer.ResetReading();
+  RawFeature raw;
   while (const std::unique_ptr<OGRFeature> feature{layer.GetNextFeature()}) {
-    features.add(*feature, set_);
+    if (!features.convert(*feature, raw)) continue;
+    range.add_sample(raw);
+    set_.features->add(raw);
   }
   if (!messages_.error().empty()) {
     fail("'" + request_.path + "' is damaged: reading stopped after " +
-             std::to_string(set_.features.size() - range.begin) + " " + words_.wanted,
+             std::to_string(set_.features->size() - range.begin) + " " + words_.wanted,
          "", messages_);
   }
-  range.end = set_.features.size();
-  if (range.end > range.begin) ranges_.push_back(range);
+  range.end = set_.features->size();
+  if (range.end > range.begin) ranges_.push_back(std::move(range));
   others_ += features.others();
   without_id_ += features.without_id();
   heights_ = heights_ || features.has_heights();
@@ -222,7 +225,7 @@ void Reader::read_filtered(OGRLayer& layer, bool has_ids) {
 
 void Reader::check_ids() {
   if (without_id_ == 0) return;
-  if (without_id_ < set_.features.size()) {
+  if (without_id_ < set_.features->size()) {
     set_.notes.push_back({"",
                           std::to_string(without_id_) + " footprints without '" + request_.id +
                               "' are named as usual",
@@ -230,11 +233,11 @@ void Reader::check_ids() {
     return;
   }
   std::vector<std::string> names;
-  for (const RawFeature& feature : set_.features) {
+  set_.features->for_each([&](std::size_t, const RawFeature& feature) {
     for (const Property& p : feature.properties) {
       if (std::find(names.begin(), names.end(), p.name) == names.end()) names.push_back(p.name);
     }
-  }
+  });
   throw Failed{{"no footprint has a property '" + request_.id + "'", "", "", request_.id, names}};
 }
 

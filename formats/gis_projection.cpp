@@ -19,24 +19,20 @@ using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Every ring of all features, in the file's coordinates.
 template <class F>
-void for_each_ring(RawSet& set, std::size_t begin, std::size_t end, F f) {
-  for (std::size_t i = begin; i < end; ++i) {
-    for (RawPolygon& part : set.features[i].parts) {
-      for (RawRing& ring : part) f(ring);
+void for_each_ring(const RawSet& set, F f) {
+  set.features->for_each([&](std::size_t, const RawFeature& feature) {
+    for (const RawPolygon& part : feature.parts) {
+      for (const RawRing& ring : part) f(ring);
     }
-  }
+  });
 }
 
-/// The first point of every feature that has one.
-std::vector<Vec2> samples(const RawSet& set, std::size_t begin, std::size_t end) {
+std::vector<Vec2> samples(const std::vector<GisRange>& ranges) {
   std::vector<Vec2> points;
-  for (std::size_t i = begin; i < end; ++i) {
-    const RawFeature& feature = set.features[i];
-    if (feature.parts.empty() || feature.parts[0].empty() || feature.parts[0][0].empty()) continue;
-    const Vec2 p = feature.parts[0][0][0];
-    if (std::isfinite(p.x + p.y)) points.push_back(p);
-  }
+  for (const GisRange& range : ranges)
+    points.insert(points.end(), range.samples.begin(), range.samples.end());
   return points;
 }
 
@@ -123,11 +119,11 @@ std::string format(const char* pattern, double a, double b) {
 }
 
 /// Longitude and latitude of the median, rounded to 1e-4 degrees so that they can be printed.
-std::optional<Vec2> middle(const RawSet& set, const std::vector<GisRange>& ranges,
+std::optional<Vec2> middle(const std::vector<GisRange>& ranges,
                            const OGRSpatialReference& degrees) {
   std::vector<Vec2> all;
   for (const GisRange& range : ranges) {
-    std::vector<Vec2> points = samples(set, range.begin, range.end);
+    std::vector<Vec2> points = range.samples;
     const Transformation to_degrees = transformation(*range.crs, degrees);
     if (!to_degrees) return {};
     transform(*to_degrees, points);
@@ -153,17 +149,36 @@ bool is_true(const OGRSpatialReference& crs, double unit, Vec2 at, Vec2 lon_lat)
   return is_unit(u) && is_unit(v) && std::abs(cross(u, v) - 1) < 0.02 && u.x > 0.985;
 }
 
+/// A transformation, where there is one, for each range; then metres, then the shift.
+struct ToLocal {
+  struct Part {
+    std::size_t end = 0;  ///< one past its last feature
+    std::shared_ptr<OGRCoordinateTransformation> by;
+  };
+  std::vector<Part> parts{};
+  double unit = 1;
+  Vec2 shift{};
+
+  void operator()(std::size_t number, RawFeature& feature) const {
+    const auto part = std::ranges::upper_bound(parts, number, {}, &Part::end);
+    for (RawPolygon& polygon : feature.parts) {
+      for (RawRing& ring : polygon) {
+        if (part != parts.end() && part->by) transform(*part->by, ring);
+        for (Vec2& p : ring) p = p * unit - shift;
+      }
+    }
+  }
+};
+
 /// Shifts to the median, in whole metres. Values within 10 km of zero stay: they are local already.
-void shift(RawSet& set, double unit, bool always) {
-  const Vec2 at = median(samples(set, 0, set.features.size())) * unit;
+void shift(RawSet& set, const std::vector<GisRange>& ranges, double unit, bool always) {
+  const Vec2 at = median(samples(ranges)) * unit;
   if (always || length(at) > 10'000) set.shift = {std::round(at.x), std::round(at.y)};
-  for_each_ring(set, 0, set.features.size(), [&](RawRing& ring) {
-    for (Vec2& p : ring) p = p * unit - set.shift;
-  });
+  set.to_local = ToLocal{{}, unit, set.shift};
 }
 
-void take_as_metres(RawSet& set) {
-  shift(set, 1, false);
+void take_as_metres(RawSet& set, const std::vector<GisRange>& ranges) {
+  shift(set, ranges, 1, false);
   set.origin = "the file's own metres";
   if (set.shift != Vec2{}) {
     set.origin += format(" less (%.0f, %.0f)", set.shift.x, set.shift.y);
@@ -171,10 +186,10 @@ void take_as_metres(RawSet& set) {
 }
 
 /// Nobody said what the numbers are. Buildings of less than 0.1 m are buildings in degrees.
-bool look_like_degrees(RawSet& set) {
+bool look_like_degrees(const RawSet& set) {
   double largest = 0;
   bool in_range = true;
-  for_each_ring(set, 0, set.features.size(), [&](RawRing& ring) {
+  for_each_ring(set, [&](const RawRing& ring) {
     for (Vec2 p : ring) {
       in_range = in_range && std::abs(p.x) <= 180 && std::abs(p.y) <= 90;
       largest = std::max({largest, std::abs(p.x - ring[0].x), std::abs(p.y - ring[0].y)});
@@ -184,8 +199,8 @@ bool look_like_degrees(RawSet& set) {
 }
 
 /// Most points lie where no longitude and latitude can.
-bool can_not_be_degrees(const RawSet& set) {
-  const std::vector<Vec2> points = samples(set, 0, set.features.size());
+bool can_not_be_degrees(const std::vector<GisRange>& ranges) {
+  const std::vector<Vec2> points = samples(ranges);
   const auto outside = std::count_if(points.begin(), points.end(), [](Vec2 p) {
     return std::abs(p.x) > 360 || std::abs(p.y) > 90;
   });
@@ -195,11 +210,12 @@ bool can_not_be_degrees(const RawSet& set) {
 std::string to_equidistant(RawSet& set, const std::vector<GisRange>& ranges, Vec2 lon_lat) {
   const OGRSpatialReference& first = *ranges[0].crs;
   const OGRSpatialReference local = about(lon_lat, first);
+  ToLocal to_local;
   for (const GisRange& range : ranges) {
-    const Transformation to_local = transformation(*range.crs, local);
-    if (!to_local) return "can not convert " + name_of(*range.crs) + " to metres";
-    for_each_ring(set, range.begin, range.end, [&](RawRing& ring) { transform(*to_local, ring); });
+    to_local.parts.push_back({range.end, transformation(*range.crs, local)});
+    if (!to_local.parts.back().by) return "can not convert " + name_of(*range.crs) + " to metres";
   }
+  set.to_local = to_local;
   set.reference = {wkt_of(first), wkt_of(local), 1};
   set.origin = format("local metres about lon %.4f, lat %.4f (", lon_lat.x, lon_lat.y) +
                name_of(first) + ", azimuthal equidistant)";
@@ -207,6 +223,12 @@ std::string to_equidistant(RawSet& set, const std::vector<GisRange>& ranges, Vec
 }
 
 }  // namespace
+
+void GisRange::add_sample(const RawFeature& feature) {
+  if (feature.parts.empty() || feature.parts[0].empty() || feature.parts[0][0].empty()) return;
+  const Vec2 p = feature.parts[0][0][0];
+  if (std::isfinite(p.x + p.y)) samples.push_back(p);
+}
 
 std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool guessed) {
   OGRSpatialReference wgs84;
@@ -218,7 +240,7 @@ std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool gues
     return r.crs != nullptr && !r.crs->IsLocal();
   });
   const OGRSpatialReference* crs = known != ranges.end() ? known->crs : nullptr;
-  if (crs != nullptr && guessed && crs->IsGeographic() && can_not_be_degrees(set)) {
+  if (crs != nullptr && guessed && crs->IsGeographic() && can_not_be_degrees(ranges)) {
     crs = nullptr;
     set.notes.push_back(
         {"", "the coordinates are no longitudes and latitudes: read as metres", false});
@@ -228,7 +250,7 @@ std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool gues
         {"", "no coordinate system is given: read as longitude and latitude (WGS 84)", false});
   }
   if (crs == nullptr) {
-    take_as_metres(set);
+    take_as_metres(set, ranges);
     return {};
   }
   bool alike = true;
@@ -238,13 +260,13 @@ std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool gues
   }
 
   // Metres, or feet, that can stay?
-  const std::optional<Vec2> lon_lat = middle(set, ranges, geographic(*crs));
+  const std::optional<Vec2> lon_lat = middle(ranges, geographic(*crs));
   if (!lon_lat) return "can not convert " + name_of(*crs) + " to longitude and latitude";
   if (alike && crs->IsProjected()) {
     const double unit = crs->GetLinearUnits();
-    const Vec2 at = median(samples(set, 0, set.features.size()));
+    const Vec2 at = median(samples(ranges));
     if (is_true(*crs, unit, at, *lon_lat)) {
-      shift(set, unit, true);
+      shift(set, ranges, unit, true);
       set.reference = {wkt_of(*crs), wkt_of(*crs), unit};
       set.origin = name_of(*crs) + (unit == 1 ? "" : " in metres") +
                    format(" less (%.0f, %.0f)", set.shift.x, set.shift.y);
@@ -256,33 +278,27 @@ std::string to_local_metres(RawSet& set, std::vector<GisRange> ranges, bool gues
 
 std::string to_metres_of(const GisRequest::Beside& beside, RawSet& set,
                          const std::vector<GisRange>& ranges, bool guessed) {
-  const auto moved = [&](const GisRange& range) {
-    for_each_ring(set, range.begin, range.end, [&](RawRing& line) {
-      for (Vec2& p : line) p = p * beside.reference.unit - beside.shift;
-    });
-  };
+  ToLocal to_local{{}, beside.reference.unit, beside.shift};
   const auto is_known = [&](const GisRange& range) {
     if (range.crs == nullptr || range.crs->IsLocal()) return false;
-    return !(guessed && range.crs->IsGeographic() && can_not_be_degrees(set));
+    return !(guessed && range.crs->IsGeographic() && can_not_be_degrees(ranges));
   };
   if (beside.reference.local.empty()) {
-    for (const GisRange& range : ranges) {
-      if (is_known(range) && !guessed)
-        return "the streets are in " + name_of(*range.crs) +
-               ", and the footprints have no coordinate system";
-      moved(range);
-    }
+    const auto known = std::ranges::find_if(ranges, is_known);
+    if (known != ranges.end() && !guessed)
+      return "the streets are in " + name_of(*known->crs) +
+             ", and the footprints have no coordinate system";
+    set.to_local = to_local;
     return {};
   }
   const OGRSpatialReference given = from_wkt(beside.reference.given);
   const OGRSpatialReference local = from_wkt(beside.reference.local);
   for (const GisRange& range : ranges) {
     const OGRSpatialReference& crs = is_known(range) ? *range.crs : given;
-    const Transformation to_local = transformation(crs, local);
-    if (!to_local) return "can not convert " + name_of(crs) + " to metres";
-    for_each_ring(set, range.begin, range.end, [&](RawRing& line) { transform(*to_local, line); });
-    moved(range);
+    to_local.parts.push_back({range.end, transformation(crs, local)});
+    if (!to_local.parts.back().by) return "can not convert " + name_of(crs) + " to metres";
   }
+  set.to_local = to_local;
   return {};
 }
 

@@ -16,10 +16,14 @@ namespace mansard {
 struct GisRange {
   std::size_t begin = 0, end = 0;
   const OGRSpatialReference* crs = nullptr;
+  std::vector<Vec2> samples;  ///< the first point of every feature that has one
+
+  void add_sample(const RawFeature& feature);
 };
 
-/// Replaces all coordinates by local metres and says in the set where they are. Coordinates that
-/// can not be converted become NaN. Returns what went wrong, empty when nothing did.
+/// Says how all coordinates become local metres (RawSet::to_local), and in the set where these are.
+/// Coordinates that can not be converted become NaN. Returns what went wrong, empty when nothing
+/// did.
 ///
 /// Metres of a projection that is true within 1 % stay what they are, less whole metres. All else
 /// goes through longitude and latitude to an azimuthal equidistant projection about the median of

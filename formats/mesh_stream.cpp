@@ -1,48 +1,13 @@
 #include "formats/mesh_stream.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <type_traits>
+
+#include "formats/bytes.hpp"
 
 namespace mansard {
 namespace {
 
 constexpr char is_mesh = 'm', is_problem = 'p';
-
-template <class T>
-void put(std::string& to, const T* values, std::size_t count) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  const uint64_t size = count;
-  to.append(reinterpret_cast<const char*>(&size), sizeof size);
-  to.append(reinterpret_cast<const char*>(values), count * sizeof(T));
-}
-
-class Bytes {
- public:
-  explicit Bytes(std::string_view left) : left_(left) {}
-  /// A vector or a string; empty, and whole() no longer holds, where there is too little.
-  template <class Values>
-  Values take() {
-    using T = typename Values::value_type;
-    uint64_t count = 0;
-    whole_ = whole_ && left_.size() >= sizeof count;
-    if (!whole_) return {};
-    std::memcpy(&count, left_.data(), sizeof count);
-    left_.remove_prefix(sizeof count);
-    whole_ = count <= left_.size() / sizeof(T);
-    if (!whole_) return {};
-    Values values(count, T{});
-    if (count > 0) std::memcpy(values.data(), left_.data(), count * sizeof(T));
-    left_.remove_prefix(count * sizeof(T));
-    return values;
-  }
-  bool whole() const { return whole_; }
-  bool any() const { return !left_.empty(); }
-
- private:
-  std::string_view left_;
-  bool whole_ = true;
-};
 
 bool is_sound(const Mesh& mesh) {
   const bool corners = std::ranges::all_of(
@@ -57,17 +22,17 @@ bool is_sound(const Mesh& mesh) {
 
 std::string to_bytes(const Mesh& mesh) {
   std::string bytes(1, is_mesh);
-  put(bytes, mesh.points.data(), mesh.points.size());
-  put(bytes, mesh.corners.data(), mesh.corners.size());
-  put(bytes, mesh.uvs.data(), mesh.uvs.size());
-  put(bytes, mesh.faces.data(), mesh.faces.size());
+  put_values(bytes, mesh.points);
+  put_values(bytes, mesh.corners);
+  put_values(bytes, mesh.uvs);
+  put_values(bytes, mesh.faces);
   for (const Mesh::Material& material : mesh.materials) {
-    put(bytes, material.name.data(), material.name.size());
+    put_values(bytes, material.name);
     const double numbers[] = {material.color.x, material.color.y, material.color.z,
                               material.opacity, material.overlay ? 1.0 : 0.0};
-    put(bytes, numbers, 5);
-    put(bytes, material.texture.data(), material.texture.size());
-    put(bytes, material.picture.data(), material.picture.size());
+    put_values(bytes, numbers, 5);
+    put_values(bytes, material.texture);
+    put_values(bytes, material.picture);
   }
   return bytes;
 }

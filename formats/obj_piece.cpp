@@ -6,17 +6,6 @@
 
 namespace mansard {
 
-std::string ObjNames::free_name(std::string_view id) {
-  const std::string name = safe_name(id);
-  std::string free = name;
-  uint64_t& last = names_[name];  // a reference survives the table's growth
-  while (last > 0 && !names_.try_emplace(free, 1).second) {
-    free = name + "_" + std::to_string(++last);
-  }
-  last = std::max<uint64_t>(last, 1);
-  return free;
-}
-
 void ObjPiece::prepare(const NamedSurface& building) {
   building_ = building;
   normals_.find(building.surface->normals);
@@ -25,7 +14,7 @@ void ObjPiece::prepare(const NamedSurface& building) {
 void ObjPiece::number(std::span<const std::string_view> symbols, std::span<const Look> looks) {
   const Surface& surface = *building_.surface;
   if (surface.polygons() == 0) return;
-  name_ = shared_.names.free_name(building_.id);
+  name_ = shared_.names.next(safe_name(building_.id));
   before_ = shared_.counts;
   shared_.counts.points += surface.points.size();
   if (surface.has_uvs()) shared_.counts.uvs += surface.uvs.size();

@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "formats/free_names.hpp"
 #include "formats/obj_groups.hpp"
 #include "formats/obj_normals.hpp"
 #include "formats/obj_text.hpp"
@@ -15,21 +15,11 @@
 
 namespace mansard {
 
-/// Names of objects. Those that would bear one name are numbered, so that every building is found
-/// again.
-class ObjNames {
- public:
-  std::string free_name(std::string_view id);
-
- private:
-  std::unordered_map<std::string, uint64_t> names_;  ///< and the last number they got
-};
-
 /// What all pieces of a file share.
 struct ObjShared {
   OutputFile out;        ///< of append()
-  ObjNames names;        ///< of number()
-  ObjCounts counts;      ///< likewise: of the buildings that have their numbers
+  FreeNames names{'_'};  ///< of number(): of objects, so that every building is found again
+  ObjCounts counts{};    ///< likewise: of the buildings that have their numbers
   bool stained = false;  ///< likewise
 };
 

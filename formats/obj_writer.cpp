@@ -33,7 +33,7 @@ std::string mtl_path(const std::string& obj) {
 }
 
 ObjWriter::ObjWriter(const std::string& path, Up up, const std::string& comment)
-    : shared_{OutputFile(path), {}, {}}, mtl_(mtl_path(path)), up_(up) {
+    : shared_{.out = OutputFile(path)}, mtl_(mtl_path(path)), up_(up) {
   ObjText head(up);
   head.comment(comment);
   if (shared_.out.is_regular()) head.name("mtllib ", fs::path(mtl_).filename().string());

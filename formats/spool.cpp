@@ -1,26 +1,20 @@
 #include "formats/spool.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
+#include "formats/nameless_file.hpp"
 #include "grammar/diagnostic.hpp"
 
 namespace mansard {
 
 Spool::Spool(std::string model) : model_(std::move(model)), buffer_(new char[capacity]) {
   const std::filesystem::path given = std::filesystem::path(model_).parent_path();
-  const std::string folder = given.empty() ? "." : given.string();
-  file_ = open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0600);
-  if (file_ >= 0) return;
-  std::string name = folder + "/mansardXXXXXX";
-  file_ = mkostemp(name.data(), O_CLOEXEC);
+  file_ = open_nameless(given.empty() ? "." : given.string());
   if (file_ < 0) fail(errno);
-  unlink(name.c_str());
 }
 
 Spool::~Spool() { close(file_); }

@@ -8,11 +8,12 @@
 namespace mansard {
 namespace {
 
-RawSet read_raw(const std::string& what, const StreetOptions& options, const FootprintSet& beside) {
+RawSet read_raw(const std::string& what, const StreetOptions& options,
+                const FootprintFacts& beside) {
   if (what.starts_with("WKT:") || what.starts_with("wkt:")) {
     RawSet set;
     for (RawRing& line : read_wkt_lines(std::string_view(what).substr(4)))
-      set.features.push_back({"", {{std::move(line)}}, {}});
+      set.features->add({"", {{std::move(line)}}, {}});
     return set;
   }
   check_is_file(what, "streets", "WKT:LINESTRING(-5 -4, 15 -4)");
@@ -39,13 +40,13 @@ void add_pieces(const RawRing& line, std::vector<StreetLine>& to) {
 }  // namespace
 
 StreetSet read_streets(const std::string& what, const StreetOptions& options,
-                       const FootprintSet& beside) {
-  RawSet raw = read_raw(what, options, beside);
+                       const FootprintFacts& beside) {
+  const RawSet raw = read_raw(what, options, beside);
   StreetSet set;
   for (const FootprintNote& note : raw.notes) set.notes.push_back(note.text);
-  for (const RawFeature& feature : raw.features) {
+  raw.for_each([&](const RawFeature& feature) {
     for (const RawPolygon& part : feature.parts) add_pieces(part[0], set.lines);
-  }
+  });
   if (set.lines.empty()) {
     Diagnostic d;
     d.text = "'" + what + "' has no street of any length";

@@ -25,6 +25,6 @@ struct StreetSet {
 /// roads for all traffic or for pedestrians count, unless a layer or condition is given; none in
 /// tunnels. Throws Failure when there is no such file or it holds no lines.
 StreetSet read_streets(const std::string& what, const StreetOptions& options,
-                       const FootprintSet& beside);
+                       const FootprintFacts& beside);
 
 }  // namespace mansard

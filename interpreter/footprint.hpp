@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -39,12 +40,28 @@ struct Footprint {
   }
 };
 
-/// Sets the party, court, street, main and corner flags of every edge. An edge is a party wall
+/// Many footprints, numbered in the order of their file.
+class FootprintSource {
+ public:
+  virtual ~FootprintSource() = default;
+  virtual std::size_t size() const = 0;
+  /// Either one that stays or `room`, which is replaced and keeps its memory. Any number of threads
+  /// at a time.
+  virtual const Footprint& get(std::size_t number, Footprint& room) const = 0;
+};
+
+/// Sets the party, court, street, main and corner flags of every edge of the footprints that are
+/// `wanted` (as many as footprints; none: all). An edge is a party wall
 /// where a neighbour's edge runs along it within `tolerance` metres; an edge that is covered in
 /// part is divided where the cover ends (pieces of at least 0.5 m), so that a wall is party as a
 /// whole or not at all. `wall` numbers are renewed. Court edges belong to holes; of street edges
-/// see interpreter/street_edges.hpp. Then each footprint knows the others, and the streets, as its
-/// surroundings.
+/// see interpreter/street_edges.hpp.
+void mark_walls(std::span<Footprint> footprints, const std::vector<bool>& wanted,
+                const Streets& streets, double tolerance = 0.05);
+/// Metres about a footprint within which others bear upon its flags.
+double neighbour_reach(const Streets& streets, double tolerance = 0.05);
+
+/// Marks all walls; then each footprint knows the others, and the streets, as its surroundings.
 void mark_neighbours(std::vector<Footprint>& footprints,
                      const std::vector<StreetLine>& streets = {}, double tolerance = 0.05);
 

@@ -17,7 +17,7 @@ constexpr uint16_t neighbour_flags =
 
 using Span = std::pair<double, double>;  // metres along an edge
 
-std::vector<GridEdge> edges_of(const std::vector<Footprint>& footprints) {
+std::vector<GridEdge> edges_of(std::span<const Footprint> footprints) {
   std::vector<GridEdge> edges;
   for (uint32_t i = 0; i < footprints.size(); ++i) {
     for_each_edge(footprints[i].polygon, [&](uint32_t, Vec2 a, Vec2 b) {
@@ -124,17 +124,30 @@ Polygon divided(const Polygon& polygon, uint32_t footprint, const EdgeGrid& grid
 
 }  // namespace
 
-void mark_neighbours(std::vector<Footprint>& footprints, const std::vector<StreetLine>& streets,
-                     double tolerance) {
+double neighbour_reach(const Streets& streets, double tolerance) {
+  return tolerance + 1 + (streets.empty() ? street_clearance : street_reach);
+}
+
+void mark_walls(std::span<Footprint> footprints, const std::vector<bool>& wanted,
+                const Streets& streets, double tolerance) {
   const EdgeGrid grid(edges_of(footprints), tolerance);
-  Streets lines(streets);
-  const StreetEdges street_edges(grid, lines, tolerance);
+  const StreetEdges street_edges(grid, streets, tolerance);
   for (uint32_t i = 0; i < footprints.size(); ++i) {
+    if (!wanted.empty() && !wanted[i]) continue;
     Polygon& polygon = footprints[i].polygon;
     polygon = divided(polygon, i, grid, tolerance);
     street_edges.mark(polygon, i);
   }
-  const auto around = std::make_shared<const Surroundings>(footprints, std::move(lines));
+}
+
+void mark_neighbours(std::vector<Footprint>& footprints, const std::vector<StreetLine>& streets,
+                     double tolerance) {
+  Streets lines(streets);
+  mark_walls(footprints, {}, lines, tolerance);
+  const auto around = std::make_shared<const Surroundings>(
+      std::move(lines), [all = footprints](const Surroundings::Take& take) {
+        for (const Footprint& footprint : all) take(footprint);
+      });
   for (uint32_t i = 0; i < footprints.size(); ++i) {
     footprints[i].around = around;
     footprints[i].place = i;

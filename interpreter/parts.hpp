@@ -77,7 +77,7 @@ class PartStore {
   std::vector<PartCount> counts;
 
  private:
-  static constexpr std::size_t most_points = 500'000;
+  static constexpr std::size_t most_points = 100'000;
   static uint64_t hash_of(const PartKey& key);
   void rehash();
 

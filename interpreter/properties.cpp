@@ -112,15 +112,11 @@ class Misnamed {
 }  // namespace
 
 std::vector<Diagnostic> misnamed_properties(const Program& program,
-                                            std::span<const Footprint> footprints) {
+                                            std::span<const std::string> names) {
   const Misnamed misnamed(program);
   std::vector<Diagnostic> found;
-  std::set<std::string_view> seen;
-  for (const Footprint& footprint : footprints) {
-    for (const Property& property : footprint.properties) {
-      if (!seen.insert(property.name).second) continue;
-      if (auto d = misnamed.check(property.name)) found.push_back(std::move(*d));
-    }
+  for (const std::string& name : names) {
+    if (auto d = misnamed.check(name)) found.push_back(std::move(*d));
   }
   return found;
 }

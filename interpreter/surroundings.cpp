@@ -29,24 +29,32 @@ Prism block_of(const Footprint& footprint) {
 
 }  // namespace
 
-Surroundings::Surroundings(const std::vector<Footprint>& footprints, Streets streets)
-    : streets_(std::move(streets)) {
+Surroundings::Surroundings(Streets streets, std::function<void(const Take&)> each)
+    : streets_(std::move(streets)), each_(std::move(each)) {}
+
+const BoxIndex& Surroundings::index() const {
+  std::call_once(drawn_, [&] { draw_up(); });
+  return index_;
+}
+
+void Surroundings::draw_up() const {
   constexpr double nowhere = 1e300;  // meets no box
   std::vector<Box3> boxes;
-  for (const Footprint& footprint : footprints) {
+  each_([&](const Footprint& footprint) {
     ids_.push_back(footprint.id);
     if (!has_outline(footprint.polygon)) {
       blocks_.emplace_back();
       boxes.push_back({{nowhere, nowhere, nowhere}, {nowhere, nowhere, nowhere}});
-      continue;
+      return;
     }
     const Prism& block = blocks_.emplace_back(block_of(footprint));
     const Box2 plan = bounds(block.base.points);
     const double low = block.origin.y;
     boxes.push_back(
         {{plan.low.x, low, -plan.high.y}, {plan.high.x, low + block.height, -plan.low.y}});
-  }
+  });
   index_.build(boxes);
+  each_ = nullptr;
 }
 
 }  // namespace mansard
