@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <span>
 
 #include "bench/workload.hpp"
 #include "formats/surface_writer.hpp"
@@ -11,14 +12,22 @@
 namespace mansard::bench {
 namespace {
 
+/// What a derivation can not do without writing.
+std::size_t bytes_of(const Surface& surface) {
+  const auto bytes = [](const auto& all) { return std::span(all).size_bytes(); };
+  return bytes(surface.points) + bytes(surface.uvs) + bytes(surface.normals) + bytes(surface.ends) +
+         bytes(surface.runs) + bytes(surface.placed);
+}
+
 struct Sums {
-  std::size_t buildings = 0, shapes = 0, operations = 0, vertices = 0;
+  std::size_t buildings = 0, shapes = 0, operations = 0, vertices = 0, bytes = 0;
 
   void add(const Building& building) {
     ++buildings;
     shapes += building.shapes;
     operations += building.operations;
     vertices += building.surface.points.size();
+    bytes += bytes_of(building.surface);
   }
   void report(benchmark::State& state) const {
     const auto rate = [](std::size_t n) {
@@ -33,6 +42,7 @@ struct Sums {
     state.counters["shapes"] = each(shapes);
     state.counters["operations"] = each(operations);
     state.counters["vertices"] = each(vertices);
+    state.counters["bytes"] = each(bytes);
   }
 };
 

@@ -1,8 +1,10 @@
 // What a building's piece adds to the lists of a glTF document.
 #include <array>
+#include <utility>
 
 #include "formats/gltf_piece.hpp"
 #include "formats/numbers.hpp"
+#include "grammar/diagnostic.hpp"
 
 namespace mansard {
 namespace {
@@ -24,6 +26,15 @@ void put_list(std::string& text, std::span<const double> values) {
 
 }  // namespace
 
+void GltfFile::check_size(uint64_t bytes) const {
+  if (!is_binary() || bytes <= options.most) return;
+  Diagnostic d;
+  d.text = "a .glb holds at most " + std::to_string(options.most / 1'000'000) + " MB, and '" +
+           path + "' would have more from its building " + std::to_string(roots.size()) + " on";
+  d.help = "write a .gltf, a coarser level of detail (--lod 2), or fewer buildings into one file";
+  throw Failure(std::move(d));
+}
+
 void GltfPiece::append() {
   std::string children;
   for (const Node& node : nodes_) {
@@ -33,6 +44,7 @@ void GltfPiece::append() {
   if (children.empty()) return;
   const uint64_t root = file_.nodes.add(root_ + ",\"children\":[" + children + "]}");
   file_.roots.add(std::to_string(root));
+  file_.check_size(file_.bytes());
 }
 
 /// Empty, where nothing is drawn. A mesh takes its number after those that it brings.

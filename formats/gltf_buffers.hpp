@@ -54,6 +54,7 @@ class GltfBuffers {
   /// Pictures, each from a multiple of four, behind all else.
   Spool& pictures() { return pictures_; }
   GltfList& accessors() { return accessors_; }
+  const GltfList& accessors() const { return accessors_; }
 
  private:
   enum Kind : uint8_t { points, normals, indices, uvs, tangents, instances };

@@ -19,14 +19,23 @@ namespace mansard {
 
 /// What all pieces of a file share.
 struct GltfFile {
-  GltfFile(const std::string& path, const GltfOptions& given)
-      : options(given),
+  GltfFile(const std::string& model, const GltfOptions& given)
+      : path(model),
+        options(given),
         shared(given.instancing),
-        buffers(path, given.draco),
-        nodes(path),
-        meshes(path),
-        roots(path) {}
+        buffers(model, given.draco),
+        nodes(model),
+        meshes(model),
+        roots(model) {}
 
+  bool is_binary() const { return path.ends_with(".glb"); }
+  uint64_t bytes() const {
+    return buffers.bytes() + buffers.accessors().bytes() + nodes.bytes() + meshes.bytes();
+  }
+  /// Throws Failure where a .glb could not hold so many bytes.
+  void check_size(uint64_t bytes) const;
+
+  const std::string path;
   const GltfOptions options;
   GltfShared shared;                ///< of number()
   Stock<GltfPrimitive> primitives;  ///< of format()

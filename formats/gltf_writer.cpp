@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include "formats/gltf_json.hpp"
@@ -13,7 +12,6 @@
 #include "formats/obj_names.hpp"
 #include "formats/output_file.hpp"
 #include "formats/surface_writer.hpp"
-#include "grammar/diagnostic.hpp"
 
 namespace mansard {
 namespace {
@@ -23,11 +21,7 @@ namespace fs = std::filesystem;
 class GltfWriter final : public SurfaceWriter {
  public:
   GltfWriter(const std::string& path, const std::string& comment, const GltfOptions& options)
-      : path_(path),
-        comment_(comment),
-        binary_(path.ends_with(".glb")),
-        out_(path),
-        file_(path, options) {}
+      : comment_(comment), out_(path), file_(path, options) {}
   std::unique_ptr<SurfacePiece> new_piece() override { return std::make_unique<GltfPiece>(file_); }
   std::size_t finish(std::span<const Look> looks) override;
 
@@ -35,24 +29,24 @@ class GltfWriter final : public SurfaceWriter {
   void write_document(const std::string& head, GltfList& views, uint64_t bytes);
   void write_header(uint64_t document, uint64_t bytes);
 
-  std::string path_, comment_;
-  bool binary_;  ///< .glb
+  std::string comment_;
   OutputFile out_;
   GltfFile file_;
 };
 
 std::size_t GltfWriter::finish(std::span<const Look> looks) {
   const std::string materials = file_.looks.members(
-      looks, path_, binary_ ? &file_.buffers.pictures() : nullptr, file_.buffers.view_count());
+      looks, file_.path, file_.is_binary() ? &file_.buffers.pictures() : nullptr,
+      file_.buffers.view_count());
   GltfList& views = file_.buffers.finish_views(file_.looks.views());
-  const std::string bin = safe_name(fs::path(path_).stem().string()) + ".bin";
-  GltfHead head{comment_, {}, file_.buffers.bytes(), binary_ ? "" : as_uri(bin)};
+  const std::string bin = safe_name(fs::path(file_.path).stem().string()) + ".bin";
+  GltfHead head{comment_, {}, file_.buffers.bytes(), file_.is_binary() ? "" : as_uri(bin)};
   if (file_.instanced) head.extensions.emplace_back("EXT_mesh_gpu_instancing");
   if (file_.options.draco && !file_.meshes.empty())
     head.extensions.emplace_back("KHR_draco_mesh_compression");
   std::size_t beside = 0;
-  if (!binary_ && head.bytes > 0) {  // what appears last finds the rest beside it
-    OutputFile out((fs::path(path_).parent_path() / bin).string());
+  if (!file_.is_binary() && head.bytes > 0) {  // what appears last finds the rest beside it
+    OutputFile out((fs::path(file_.path).parent_path() / bin).string());
     file_.buffers.copy_to(out);
     out.commit();
     beside = out.bytes();
@@ -84,8 +78,8 @@ void GltfWriter::write_document(const std::string& head, GltfList& views, uint64
     length += file_.roots.bytes() + 1;
     for (const auto& [key, list] : lists) length += key.size() + list->bytes();
   }
-  const uint64_t padding = binary_ ? (4 - length % 4) % 4 : 0;
-  if (binary_) write_header(length + padding, bytes);
+  const uint64_t padding = file_.is_binary() ? (4 - length % 4) % 4 : 0;
+  if (file_.is_binary()) write_header(length + padding, bytes);
   out_.put(head);
   out_.put(scene);
   if (!file_.roots.empty()) {
@@ -98,7 +92,7 @@ void GltfWriter::write_document(const std::string& head, GltfList& views, uint64
   }
   out_.put("}");
   out_.put(std::string_view("   ").substr(0, padding));
-  if (!binary_ || bytes == 0) return;
+  if (!file_.is_binary() || bytes == 0) return;
   put_integer(out_, static_cast<uint32_t>(bytes));
   put_integer(out_, 0x004e4942);  // BIN
   file_.buffers.copy_to(out_);
@@ -106,13 +100,7 @@ void GltfWriter::write_document(const std::string& head, GltfList& views, uint64
 
 void GltfWriter::write_header(uint64_t document, uint64_t bytes) {
   const uint64_t whole = 12 + 8 + document + (bytes > 0 ? 8 + bytes : 0);
-  if (whole > std::numeric_limits<uint32_t>::max()) {
-    Diagnostic d;
-    d.text = "the model has " + std::to_string(whole / 1'000'000'000) +
-             " GB, and a .glb holds at most 4: '" + path_ + "'";
-    d.help = "write a .gltf, or fewer buildings into one file";
-    throw Failure(std::move(d));
-  }
+  file_.check_size(whole);
   put_integer(out_, 0x46546c67);  // glTF
   put_integer(out_, 2);
   put_integer(out_, static_cast<uint32_t>(whole));

@@ -40,7 +40,8 @@ enum class Instancing : uint8_t { nodes, gpu, copies };
 
 struct GltfOptions {
   Instancing instancing = Instancing::nodes;
-  bool draco = false;  ///< KHR_draco_mesh_compression, to a tenth of a millimetre
+  bool draco = false;          ///< KHR_draco_mesh_compression, to a tenth of a millimetre
+  uint64_t most = 0xffffffff;  ///< bytes that a .glb can say it has; more are a Failure at once
 };
 
 /// A building's way into the file, in four steps; reused for the next one, so that its memory is.

@@ -67,6 +67,7 @@ TEST_CASE("a .glb has all that was drawn") {
   const std::string path = folder / "model.glb";
   const auto writer = write_gltf(path, "style A, seed 0\nsomewhere");
   std::vector<Surface> surfaces;
+  surfaces.reserve(3);
   for (int i = 0; i < 3; ++i) surfaces.push_back(random_surface(random, 200));
   const std::vector<Property> properties{{"height", 9.5}, {"listed", true}, {"name", "A \"B\""}};
   for (int i = 0; i < 3; ++i)
@@ -210,6 +211,24 @@ TEST_CASE("a picture that is none is named, and nothing is left") {
                     "' is neither a PNG nor a JPEG picture: glTF takes no other");
   CHECK(folder.files() == 1);
   CHECK(failure_of([&] { write_gltf(folder / "none/m.glb", ""); }).starts_with("can not write"));
+}
+
+TEST_CASE("a .glb that grows beyond what it can say ends at once, with nothing left") {
+  const Folder folder;
+  std::mt19937 random(5);
+  const Surface s = random_surface(random, 30);
+  std::size_t buildings = 0;
+  const auto write = [&](const std::string& name) {
+    const auto writer = write_gltf(folder / name, "", {.most = 5000});
+    for (buildings = 0; buildings < 50; ++buildings) writer->add({"a", &s}, symbols, looks);
+    writer->finish(looks);
+  };
+  CHECK(failure_of([&] { write("m.glb"); }) ==
+        "a .glb holds at most 0 MB, and '" + (folder / "m.glb") +
+            "' would have more from its building " + std::to_string(buildings + 1) + " on");
+  CHECK(buildings < 10);
+  CHECK(folder.files() == 0);
+  CHECK(failure_of([&] { write("m.gltf"); }) == "no failure");
 }
 
 TEST_CASE("a model of nothing is a model") {

@@ -61,6 +61,11 @@ TEST_CASE("the facade box needs no heap after the first few") {
   CHECK(heap_calls(Script::file("bench/facade_box.style"), 20) == 0);
 }
 
+TEST_CASE("the thesis's building needs no heap after the first few") {
+  for (const char* const name : {"ThesisBy61", "ThesisBy610"})
+    CHECK(heap_calls(Script::file("bench/thesis.style", {{}, name}), 20) == 0);
+}
+
 TEST_CASE("guards, indices, drawn sizes and reports need no heap") {
   CHECK(heap_calls(Script::text(R"(style A {
     var Floor = 3   def half(x) = x / 2
