@@ -35,7 +35,7 @@ std::string result(const std::string& path, const MeshLimits& limits) try {
   std::string problem;
   return read_by_assimp(path, limits, mesh, problem) ? to_bytes(mesh) : to_bytes(problem);
 } catch (const std::bad_alloc&) {
-  return to_bytes("needs more than " + std::to_string(limits.memory) + " MB of memory");
+  return to_bytes("it needs more than " + std::to_string(limits.memory) + " MB of memory");
 } catch (const std::exception& e) {
   return to_bytes(e.what());
 }

@@ -14,9 +14,9 @@ TEST_CASE("what Draco compressed has the same triangles, and far fewer bytes") {
       looks[0], {"brick", {1, 1, 1}, 1, folder.write("brick.png", "\x89PNG\r\n\x1a\nand so on")}};
   const Mesh mesh = stool();
   Surface s;
-  for (int i = 0; i < 400; ++i) {  // a facade of squares, and stools before it
+  for (int i = 0; i < 400; ++i) {  // a facade of tilted shingles, and stools before it
     const double x = 1.5 * (i % 40), y = 1.5 * (i / 40);
-    add_polygon(s, {{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}}, 0, i % 2);
+    add_polygon(s, {{x, y, 0}, {x + 1, y, 0.25}, {x + 1, y + 1, 0.25}, {x, y + 1, 0}}, 0, i % 2);
     if (i % 10 == 0)
       place(s, mesh, {nullptr, {x, y, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 1}}, 1);
   }
@@ -34,6 +34,9 @@ TEST_CASE("what Draco compressed has the same triangles, and far fewer bytes") {
     CHECK(small.area == doctest::Approx(plain.area).epsilon(1e-4));
     CHECK(length(small.centre - plain.centre) < 2e-4 * plain.area);
     CHECK(length(small.flux - plain.flux) < 1e-3 * length(plain.flux));
+    CHECK(small.facing == doctest::Approx(plain.area).epsilon(1e-4));
+    CHECK(length(plain.uv) > 0.1 * plain.area);
+    CHECK(length(small.uv - plain.uv) < 1e-4 * plain.area);
   }
   CHECK(std::filesystem::file_size(folder / "small.glb") * 2 <
         std::filesystem::file_size(folder / "plain.glb"));

@@ -100,7 +100,7 @@ TEST_CASE("finishes in glTF: factors, packed pictures, normals, linear tints") {
   CHECK(content(folder / "m.glb").find(content(folder / "m_metal_rough.png")) != std::string::npos);
 }
 
-TEST_CASE("roughness is green and metal blue, the smaller picture stretched") {
+TEST_CASE("roughness is green and metal blue") {
   const std::string bytes = packed_metal_rough(pictures + "gray.png", pictures + "gray.png");
   int width = 0, height = 0, channels = 0;
   stbi_uc* const pixels =
@@ -110,6 +110,26 @@ TEST_CASE("roughness is green and metal blue, the smaller picture stretched") {
   CHECK(width == 4);
   CHECK(height == 4);
   CHECK(std::vector<int>(pixels, pixels + 6) == std::vector<int>{255, 120, 120, 255, 130, 130});
+  stbi_image_free(pixels);
+}
+
+TEST_CASE("of two pictures the smaller is stretched") {
+  const Folder folder;
+  // A TGA of two pixels side by side: blue, green and red of each.
+  const std::string small = folder.write(
+      "two.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\30\0\12\0\0\310\0\0", 24));
+  const std::string bytes = packed_metal_rough(pictures + "gray.png", small);
+  int width = 0, height = 0, channels = 0;
+  stbi_uc* const pixels =
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                            static_cast<int>(bytes.size()), &width, &height, &channels, 3);
+  REQUIRE(pixels);
+  REQUIRE(width == 4);
+  REQUIRE(height == 4);
+  for (std::size_t i = 0; i < 16; ++i) {
+    CHECK(pixels[3 * i] == 255);
+    CHECK(pixels[3 * i + 2] == (i % 4 < 2 ? 10 : 200));
+  }
   stbi_image_free(pixels);
 }
 

@@ -145,6 +145,17 @@ Moments moments_of(const std::string& path) {
       m.area += length(twice) / 2;
       m.centre = m.centre + middle * (length(twice) / 2);
       m.flux = m.flux + Vec3{twice.x * middle.x, twice.y * middle.y, twice.z * middle.z};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const unsigned at = mesh.mFaces[f].mIndices[i];
+        if (mesh.HasNormals()) {
+          const aiVector3D n = mesh.mNormals[at];
+          m.facing += dot(twice, {n.x, n.y, n.z}) / 6;
+        }
+        if (mesh.HasTextureCoords(0)) {
+          const aiVector3D uv = mesh.mTextureCoords[0][at];
+          m.uv = m.uv + Vec2{uv.x, uv.y} * (length(twice) / 6);
+        }
+      }
     }
   }
   return m;

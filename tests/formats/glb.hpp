@@ -64,7 +64,9 @@ std::vector<uint32_t> indices_of(const Glb& glb, std::size_t accessor);
 struct Moments {
   std::size_t triangles = 0;
   double area = 0;
+  double facing = 0;  ///< of the area, as much as the normals look where the triangles do
   Vec3 centre, flux;
+  Vec2 uv;
 };
 
 /// Of a model as Assimp reads it.

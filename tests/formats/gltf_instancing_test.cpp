@@ -150,6 +150,9 @@ TEST_CASE("solids that rules made are shared when they come twice and it pays") 
     other.points[3].*axis += 0.1;
     place_solid(houses[0], other, somewhere(random), 2);  // alone of its kind
   }
+  place_solid(houses[0], mesh, somewhere(random), 2);
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+    houses[0].runs.rbegin()[static_cast<std::ptrdiff_t>(i)].material = 0;  // the only one of one
   const Glb plain = written(folder, "plain.glb", houses, {.instancing = Instancing::copies});
   const Glb shared = written(folder, "shared.glb", houses, {});
   CHECK(shared.document["meshes"].size() == 2);
@@ -174,4 +177,21 @@ TEST_CASE("boxes are instances on the graphics card, but no nodes") {
   check_same(moments_of(gpu), moments_of(nodes));
   CHECK(std::filesystem::file_size(folder / "gpu.glb") * 4 <
         std::filesystem::file_size(folder / "nodes.glb"));
+}
+
+TEST_CASE("what is flat is drawn, but no instance: it has no frame to stand in") {
+  const Folder folder;
+  const Mesh mesh = stool();
+  std::vector<Surface> houses(1);
+  for (int i = 0; i < 2; ++i) {
+    const Surface::Placed flat{nullptr,   {3.0 * i, 0, 0}, {1, 0, 0},
+                               {0, 1, 0}, {0, 0, 1},       {1, 2, 0}};
+    place_solid(houses[0], mesh, flat, 0);
+  }
+  const Glb plain = written(folder, "plain.glb", houses, {.instancing = Instancing::copies});
+  for (const Instancing instancing : {Instancing::nodes, Instancing::gpu}) {
+    const Glb flat = written(folder, "flat.glb", houses, {.instancing = instancing});
+    CHECK(flat.document["nodes"].size() == 2);
+    check_same(moments_of(flat), moments_of(plain));
+  }
 }

@@ -1,4 +1,6 @@
 // PLY and STL read back by Assimp; the size of an STL says how many triangles it has.
+#include <array>
+#include <cstring>
 #include <filesystem>
 
 #include "glb.hpp"
@@ -61,6 +63,34 @@ TEST_CASE("PLY and STL have every triangle, where it stood") {
   CHECK(std::filesystem::file_size(folder / "a.stl") == 84 + 50 * triangles);
 }
 
+/// The least of the cosines between a triangle's normal as an STL says it and as its corners do.
+double worst_normal(const std::string& stl) {
+  double worst = 1;
+  for (std::size_t at = 84; at + 50 <= stl.size(); at += 50) {
+    std::array<std::array<float, 3>, 4> numbers;
+    std::memcpy(&numbers, stl.data() + at, sizeof numbers);
+    const auto vector = [&](std::size_t i) {
+      return Vec3{numbers[i][0], numbers[i][1], numbers[i][2]};
+    };
+    const Vec3 across = cross(vector(2) - vector(1), vector(3) - vector(1));
+    if (length(across) > 1e-3)  // else single precision says little
+      worst = std::min(worst, dot(normalized(vector(0)), normalized(across)));
+  }
+  return worst;
+}
+
+TEST_CASE("normals of an STL are its triangles'") {
+  const Folder folder;
+  std::mt19937 random(8);
+  const Surface s = random_surface(random, 60);
+  for (const Up up : {Up::y, Up::z}) {
+    const auto writer = write_triangles(folder / "a.stl", up);
+    writer->add({"a", &s}, symbols, looks);
+    writer->finish(looks);
+    CHECK(worst_normal(content(folder / "a.stl")) > 0.99);
+  }
+}
+
 TEST_CASE("what does not fit into a PLY is said, and nothing is left") {
   const Folder folder;
   std::mt19937 random(7);
@@ -73,6 +103,7 @@ TEST_CASE("what does not fit into a PLY is said, and nothing is left") {
                          " triangles, the most that a .ply is written with: '" +
                          (folder / "a.ply") + "'");
   CHECK(many.help.starts_with("write an .obj or a .glb"));
+  write_triangles(folder / "a.ply", Up::y, triangles_of(s))->add({"a", &s}, symbols, looks);
   const Diagnostic nothing =
       failure_of([&] { write_triangles(folder / "a.stl", Up::y)->finish(looks); });
   CHECK(nothing.text == "nothing was drawn that '" + (folder / "a.stl") + "' could hold");
