@@ -111,9 +111,29 @@ TEST_CASE("a second band on the first one's front is mitred, too") {
   const Box3 box = bounds(surface.points);
   CHECK(box.size().x == doctest::Approx(13));
   CHECK(box.size().z == doctest::Approx(10));
+  // Both together are as deep as one: an edge of 0.5 m all around, square at corners and in a
+  // niche.
+  const double depth = 0.5, around = 42, corners_more = 5 - 1;
+  CHECK(volume_above(surface, 0) ==
+        doctest::Approx(area(footprint("L:12x9x5x4").polygon) * 6 +
+                        0.5 * (around * depth + corners_more * depth * depth)));
 }
 
-TEST_CASE("bands end square beside a neighbour and where a wall was split") {
+TEST_CASE("bands have no ends where a wall turns ever so little") {
+  for (const double out : {-1e-4, -1e-6, 1e-6, 1e-4}) {
+    CAPTURE(out);
+    Polygon plan = footprint("rect:10x8").polygon;
+    plan.points.insert(plan.points.begin() + 1, Vec2{5, out});
+    plan.tags.insert(plan.tags.begin() + 1, plan.tags[0]);
+    plan.ring_ends[0] = 5;
+    const Script script = Script::text(banded("0.3"));
+    const Building building = script.derive(on(plan));
+    const auto counts = by_symbol(script, building).at("BAND").size();
+    CHECK(counts == 5 * 3 * 4);  // a front, a top and a bottom of four corners each
+  }
+}
+
+TEST_CASE("bands end square where a wall was split") {
   const Script script = Script::text(
       "style A { Mass { FOOTPRINT -> extrude(6) comp { front : FACADE | all : WALL } } Facade { "
       "FACADE -> subdiv(\"X\", 1r, 1r) { extrude(0.5, corners = \"mitre\") { BAND } | WALL } } }");
@@ -124,6 +144,43 @@ TEST_CASE("bands end square beside a neighbour and where a wall was split") {
   CHECK(box.low.x == doctest::Approx(-0.5));
   CHECK(box.high.x == doctest::Approx(5));
   CHECK(building.terminals[script.symbol("BAND")] == 1);
+}
+
+TEST_CASE("bands end square beside a neighbour") {
+  std::string style = banded("0.5");
+  style.insert(style.find("side :"), "party : WALL | ");
+  const Script script = Script::text(style);
+  REQUIRE_MESSAGE(script.good(), script.problems());
+  for (const char* const plan : {"rect:10x8", "L:12x9x5x4"}) {
+    CAPTURE(plan);
+    Footprint footprint = test::footprint(plan);
+    footprint.polygon.tags[1].flags |= EdgeTag::party;
+    const Building building = script.derive(footprint);
+    const double edge = bounds(footprint.polygon.points).high.x;
+    CHECK(bounds(by_symbol(script, building).at("BAND")).high.x == doctest::Approx(edge));
+  }
+}
+
+/// A mass that is split has walls that go on in the next part: there bands end square and meet.
+TEST_CASE("bands run around the parts of a mass as around the whole") {
+  for (const std::string plan : {"rect:10x8", "L:12x9x5x4"}) {
+    for (const std::string parts : {"3", "6"}) {
+      CAPTURE(plan);
+      const Script script = Script::text(
+          "style A { Mass { FOOTPRINT -> extrude(6) subdiv(\"X\", " + parts +
+          ", 1r) { Part | Part } Part -> comp { cut : NIL | side : FACADE | top : DECK } } Facade "
+          "{ "
+          "FACADE -> subdiv(\"Y\", 1r, 0.5) { WALL | extrude(0.4, corners = \"mitre\") { BAND } } "
+          "} }");
+      REQUIRE_MESSAGE(script.good(), script.problems());
+      const Footprint on = footprint(plan);
+      const Building building = script.derive(on);
+      double around = 0;
+      for_each_edge(on.polygon, [&](uint32_t, Vec2 a, Vec2 b) { around += length(b - a); });
+      CHECK(volume_above(building.surface, 0) ==
+            doctest::Approx(area(on.polygon) * 6 + 0.5 * (around * 0.4 + 4 * 0.4 * 0.4)));
+    }
+  }
 }
 
 }  // namespace mansard::test

@@ -10,77 +10,12 @@
 
 #include "render/film.hpp"
 #include "render/png.hpp"
+#include "tests/render/boxes.hpp"
 
 namespace mansard {
-namespace {
 
 namespace fs = std::filesystem;
-
-void add_quad(Surface& surface, Vec3 a, Vec3 b, Vec3 c, Vec3 d, uint32_t material) {
-  surface.points.insert(surface.points.end(), {a, b, c, d});
-  surface.uvs.insert(surface.uvs.end(), {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  surface.ends.push_back(static_cast<uint32_t>(surface.points.size()));
-  surface.normals.push_back(normalized(cross(b - a, c - a)));
-  surface.runs.push_back({0, material, static_cast<uint32_t>(surface.ends.size())});
-}
-
-/// A box from the origin to `size`; its front looks to +z.
-Surface box(Vec3 size, uint32_t material = 0) {
-  const double x = size.x, y = size.y, z = size.z;
-  Surface surface;
-  add_quad(surface, {0, 0, z}, {x, 0, z}, {x, y, z}, {0, y, z}, material);
-  add_quad(surface, {x, 0, z}, {x, 0, 0}, {x, y, 0}, {x, y, z}, material);
-  add_quad(surface, {x, 0, 0}, {0, 0, 0}, {0, y, 0}, {x, y, 0}, material);
-  add_quad(surface, {0, 0, 0}, {0, 0, z}, {0, y, z}, {0, y, 0}, material);
-  add_quad(surface, {0, y, z}, {x, y, z}, {x, y, 0}, {0, y, 0}, material);
-  return surface;
-}
-
-Scene box_scene(Vec3 size, Paint paint = {}) {
-  Scene scene;
-  scene.paints.push_back(paint);
-  scene.add(box(size));
-  return scene;
-}
-
-PictureOptions small(int width = 96, int height = 64) {
-  PictureOptions options;
-  options.width = width;
-  options.height = height;
-  options.threads = 2;
-  return options;
-}
-
-PictureOptions from(Vec3 eye, Vec3 target) {
-  PictureOptions options = small();
-  options.camera = {Camera::View::free, eye, target, 35};
-  return options;
-}
-
-using Color = std::array<int, 3>;
-
-/// The mean of 3 x 3 pixels about a place given in parts of the picture, from the top left.
-Color color_at(const Picture& picture, double x, double y) {
-  const int px = std::clamp(static_cast<int>(x * picture.width), 1, picture.width - 2);
-  const int py = std::clamp(static_cast<int>(y * picture.height), 1, picture.height - 2);
-  Color sum{};
-  for (int k = 0; k < 9; ++k) {
-    const int at = (py - 1 + k / 3) * picture.width + px - 1 + k % 3;
-    for (int c = 0; c < 3; ++c) sum[c] += picture.rgb[static_cast<std::size_t>(3 * at + c)];
-  }
-  for (int& c : sum) c /= 9;
-  return sum;
-}
-
-int brightness(Color c) { return c[0] + c[1] + c[2]; }
-
-fs::path scratch(const std::string& name) {
-  const fs::path folder = fs::temp_directory_path() / "mansard_test_render";
-  fs::create_directories(folder);
-  return folder / name;
-}
-
-}  // namespace
+using namespace test;
 
 TEST_CASE("any number of threads gives the same bytes") {
   Scene scene = box_scene({9, 6, 5});
@@ -122,37 +57,6 @@ TEST_CASE("a picture made in bands has no seams") {
       CHECK(whole.ink[i] == band.ink[k]);
     }
   }
-}
-
-TEST_CASE("metal mirrors the sky, matt paint does not, and tints colour a texture") {
-  const auto front = [](Paint paint) {
-    return color_at(render(box_scene({9, 6, 5}, paint), from({4.5, 3, 30}, {4.5, 3, 0})), 0.5, 0.5);
-  };
-  const Vec3 gray{0.2, 0.2, 0.2};
-  Finish polished;
-  polished.roughness = 0;
-  polished.metallic = 1;
-  Finish matt = polished;
-  matt.roughness = 1;
-  CHECK(front({gray, false, "", matt}) == front({gray, false, ""}));
-  CHECK(front({gray, false, "", polished}) != front({gray, false, ""}));
-  const std::string picture = std::string(MANSARD_ROOT) + "/tests/golden/check/pictures/gray.png";
-  const Color plain = front({{0, 0, 0}, false, picture, {}, {1, 1, 1}});
-  const Color red = front({{0, 0, 0}, false, picture, {}, {1, 0, 0}});
-  CHECK(plain[1] > red[1] + 40);
-  CHECK(red[0] > red[1] + 40);
-}
-
-TEST_CASE("what leans towards the sun is lighter") {
-  const auto front = [](const std::string& normals, double relief) {
-    Paint paint{{0.4, 0.4, 0.4}, false, "", {}};
-    paint.finish.normal_map = std::string(MANSARD_ROOT) + "/tests/golden/check/pictures/" + normals;
-    paint.finish.relief = relief;
-    return brightness(
-        color_at(render(box_scene({9, 6, 5}, paint), from({4.5, 3, 30}, {4.5, 3, 0})), 0.5, 0.5));
-  };
-  CHECK(front("upward.png", 1) > front("upward.png", 0) + 10);
-  CHECK(front("upward.png", 0) > 0);
 }
 
 TEST_CASE("an empty scene is ground and sky") {
@@ -347,22 +251,6 @@ TEST_CASE("a hole that only one ray finds is closed") {
   for (std::size_t i = 0; i < wall.rgb.size(); ++i)
     specks += std::abs(wall.rgb[i] - closed.rgb[i]) > 10;
   CHECK(specks == 0);
-}
-
-TEST_CASE("a texture shows, the right way up; a missing one is the plain colour") {
-  // Red above, blue below.
-  Picture flag{2, 2, {200, 20, 20, 200, 20, 20, 20, 20, 200, 20, 20, 200}};
-  const fs::path path = scratch("flag.png");
-  std::ofstream(path, std::ios::binary) << encode_png(flag);
-  const PictureOptions front = from({3, 3, 30}, {3, 3, 0});
-  const Picture picture = render(box_scene({6, 6, 6}, {{0, 1, 0}, false, path.string()}), front);
-  const Color upper = color_at(picture, 0.5, 0.40), lower = color_at(picture, 0.5, 0.62);
-  CHECK(upper[0] > upper[2] + 60);
-  CHECK(lower[2] > lower[0] + 60);
-  const Color plain =
-      color_at(render(box_scene({6, 6, 6}, {{0.05, 0.6, 0.05}, false, path.string() + "x"}), front),
-               0.5, 0.5);
-  CHECK(plain[1] > plain[0] + 60);
 }
 
 TEST_CASE("a PNG holds its picture; without pixels there is none") {

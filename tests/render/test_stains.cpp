@@ -89,6 +89,10 @@ TEST_CASE("particles skip no row of texels") {
     rows += *std::max_element(row, row + flow.width) > 0;
   }
   CHECK(rows == reached);
+  flow.steps = 60;
+  const StainField early = run_down(flow, 3);
+  const auto below = early.stain.begin() + std::ptrdiff_t{60} * flow.width;
+  CHECK(*std::max_element(below, early.stain.end()) == 0);  // a row a step at most
 }
 
 TEST_CASE("a flow without sources leaves the wall clean") {
