@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "render/stain.hpp"
-#include "render/stain_atlas.hpp"
+#include "render/stain_picture.hpp"
 
 namespace mansard::bench {
 namespace {

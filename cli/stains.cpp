@@ -1,5 +1,5 @@
 // mansard stains
-#include "render/stain_atlas.hpp"
+#include "render/stain_picture.hpp"
 
 #include "cli/picture.hpp"
 #include "cli/session.hpp"

@@ -1,4 +1,3 @@
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>

@@ -24,7 +24,7 @@ unsigned char* compress_with_zlib(unsigned char* data, int size, int* packed_siz
 }  // namespace
 
 #define STBIW_ZLIB_COMPRESS compress_with_zlib
-#define STBI_MAX_DIMENSIONS 8192
+#define STBI_MAX_DIMENSIONS 8192  // the longest side of textures
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION

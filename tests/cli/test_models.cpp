@@ -1,7 +1,6 @@
 // What is written loads in libraries that are not ours, with the counts of the report. Real towns
 // (../shared/data beside the project, not part of it); their first 40 buildings;
 // MANSARD_LONG_TESTS=1 takes all of all four.
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <doctest/doctest.h>
 #define TINYOBJLOADER_IMPLEMENTATION

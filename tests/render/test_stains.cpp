@@ -11,7 +11,7 @@
 #include "render/picture.hpp"
 #include "render/png.hpp"
 #include "render/stain.hpp"
-#include "render/stain_atlas.hpp"
+#include "render/stain_picture.hpp"
 
 using namespace mansard;
 

@@ -1,4 +1,4 @@
-#include "render/stain_atlas.hpp"
+#include "render/stain_picture.hpp"
 
 #include <algorithm>
 #include <array>
