@@ -99,6 +99,37 @@ TEST_CASE("the same bytes on one thread and on two") {
   CHECK(one == derive("again.obj", "1"));
 }
 
+TEST_CASE("many small buildings, some of which fail, are the same on any number of threads") {
+  const TemporaryFolder folder;
+  const std::string script = written(
+      folder, "some.style",
+      "style A { Plot { FOOTPRINT : area > 50 -> fail(\"too large\") "
+      "  FOOTPRINT : area > 20 -> print(area) color(\"red\") LAWN  FOOTPRINT : else -> PLOT } }");
+  std::string plots = "WKT:MULTIPOLYGON(";
+  for (int i = 0; i < 500; ++i) {
+    const std::string west = std::to_string(20 * i), east = std::to_string(20 * i + 3 + i % 11);
+    plots += (i == 0 ? "((" : ",((") + west + " 0," + east + " 0," + east + " 4," + west + " 4," +
+             west + " 0))";
+  }
+  plots += ")";
+  const auto derive = [&](const std::string& threads, std::vector<std::string> flags) {
+    std::vector<std::string> words{"derive", script, plots,           "--threads",
+                                   threads,  "-o",   folder / "m.obj"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const Run made = run(words);
+    CHECK(made.status == 1);
+    return made.err + (flags.empty() ? "" : contents(folder / "m.obj"));
+  };
+  const std::string first = derive("1", {}), all = derive("1", {"--keep-going"});
+  CHECK(first.find("for footprint") == first.rfind("for footprint"));
+  CHECK(first.find("for footprint '0:11'") != std::string::npos);
+  CHECK(all.find("o 0:500\n") != std::string::npos);
+  for (int i = 0; i < 5; ++i) {
+    CHECK(derive("7", {}) == first);
+    CHECK(derive("7", {"--keep-going"}) == all);
+  }
+}
+
 TEST_CASE("the report's numbers agree with each other") {
   const TemporaryFolder folder;
   REQUIRE(run({"derive", box, "rect:10x8", "-o", folder / "model.obj", "--report",
