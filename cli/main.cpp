@@ -1,4 +1,6 @@
 // mansard: buildings from footprints and .style scripts.
+#include <malloc.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -24,7 +26,17 @@ const Command& command_of(const char* word) {
                    ": see 'mansard help'");
 }
 
+/// Large blocks go back to the system when they are freed: else the C library keeps ever larger
+/// ones, and memory grows with the largest buildings of a city.
+void return_large_blocks() {
+#ifdef M_MMAP_THRESHOLD
+  constexpr int bytes = 256 * 1024;
+  mallopt(M_MMAP_THRESHOLD, bytes);
+#endif
+}
+
 int run(int argc, char** argv) {
+  return_large_blocks();
   const char* word = argc > 1 ? argv[1] : "help";
   if (std::strcmp(word, "--help") == 0 || std::strcmp(word, "-h") == 0) word = "help";
   if (std::strcmp(word, "--version") == 0) {

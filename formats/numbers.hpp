@@ -1,6 +1,7 @@
 // Numbers as text, for formats that are mostly numbers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -34,7 +35,12 @@ inline constexpr auto three_digits = [] {
 
 /// `to` needs number_length bytes of room.
 inline char* put_integer(char* to, uint64_t value) {
-  if (value >= 1000) return std::to_chars(to, to + number_length, value).ptr;
+  if (value >= 1'000'000) return std::to_chars(to, to + number_length, value).ptr;
+  if (value >= 1000) {
+    to = put_integer(to, value / 1000);
+    std::memcpy(to, three_digits[value % 1000].text, 3);
+    return to + 3;
+  }
   const ThreeDigits& digits = three_digits[value];
   uint32_t text;
   std::memcpy(&text, &digits, sizeof text);
@@ -49,13 +55,14 @@ class CountedText {
   void set(uint64_t value) {
     if (value == value_) return;
     value_ = value;
-    if (value > longest) return;
     char text[number_length] = {};
-    length_ = put_integer(text, value) - text;
-    std::memcpy(&text_, text, sizeof text_);
+    const std::ptrdiff_t length = put_integer(text, value) - text;
+    before_length_ = std::max<std::ptrdiff_t>(length - counted, 0);
+    length_ = length - before_length_;
+    std::memcpy(before_, text, sizeof before_);
+    std::memcpy(&text_, text + before_length_, sizeof text_);
   }
   void next() {
-    if (value_ >= longest) return set(value_ + 1);
     const auto last = 8 * (length_ - 1);
     if ((text_ >> last & 0xff) == '9') return set(value_ + 1);
     ++value_;
@@ -63,15 +70,16 @@ class CountedText {
   }
   /// `to` needs number_length bytes of room.
   char* put(char* to) const {
-    if (value_ > longest) return put_integer(to, value_);
-    std::memcpy(to, &text_, sizeof text_);
-    return to + length_;
+    std::memcpy(to, before_, sizeof before_);
+    std::memcpy(to + before_length_, &text_, sizeof text_);
+    return to + before_length_ + length_;
   }
 
  private:
-  static constexpr uint64_t longest = 99'999'999;
+  static constexpr std::ptrdiff_t counted = 8;  ///< digits that change
+  char before_[12] = {};                        ///< the digits before those
+  std::ptrdiff_t before_length_ = 0, length_ = 1;
   uint64_t value_ = 0, text_ = '0';
-  std::ptrdiff_t length_ = 1;
 };
 
 /// The four digits of n < 10^4 without zeros at the end.

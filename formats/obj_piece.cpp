@@ -33,7 +33,7 @@ void ObjPiece::number(std::span<const std::string_view> symbols, std::span<const
 }
 
 /// Its text would take more memory than is good: it is made while it is appended, slice by slice.
-bool ObjPiece::is_large() const { return building_.surface->points.size() > 500'000; }
+bool ObjPiece::is_large() const { return building_.surface->points.size() > 100'000; }
 
 void ObjPiece::format() {
   text_.clear();

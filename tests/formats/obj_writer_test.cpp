@@ -169,7 +169,8 @@ TEST_CASE("numbers of all lengths have the digits that they should") {
 
 TEST_CASE("counting gives the numbers one after the other") {
   CountedText count;
-  for (const uint64_t first : {0ul, 1ul, 9'990ul, 99'999'900ul, 99'999'999ul, 9'999'999'990ul}) {
+  for (const uint64_t first : {0ul, 1ul, 9'990ul, 99'999'900ul, 99'999'999ul, 9'999'999'990ul,
+                               123'456'999'999'100ul, 18'446'744'073'709'550'000ul}) {
     count.set(first);
     for (uint64_t i = first; i < first + 1200; ++i, count.next()) {
       std::array<char, number_length> text;
