@@ -57,6 +57,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::put(std::string_view text) {
+  if (text.empty()) return;
   if (text.size() <= block) {
     char* const to = room(text.size());
     std::memcpy(to, text.data(), text.size());
