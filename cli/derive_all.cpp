@@ -135,8 +135,8 @@ void Line::derive(Batch& batch) {
     p.error.reset();
     p.thrown = nullptr;
     p.number = batch.first + i;
+    p.footprint = &footprints_.get(p.number, p.room);  // what fails here is no building's fault
     try {
-      p.footprint = &footprints_.get(p.number, p.room);
       derivation.derive(*p.footprint, p.building);
       if (steps_.prepare) steps_.prepare(p);
     } catch (Failure& failure) {

@@ -270,6 +270,10 @@ extern "C" bool mansard_read_gis(const mansard::GisRequest& request, mansard::Ra
 } catch (mansard::Failed& failed) {
   problem = std::move(failed.problem);
   return false;
+} catch (const mansard::Failure& failure) {  // of where the features are kept
+  problem.text = failure.diagnostic.text;
+  problem.help = failure.diagnostic.help;
+  return false;
 } catch (const std::exception& e) {
   problem.text = "can not read '" + request.path + "': " + e.what();
   return false;

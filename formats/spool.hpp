@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,10 +21,6 @@ class Spool {
 
   void put(const void* bytes, std::size_t count);
   void put(std::string_view text) { put(text.data(), text.size()); }
-  template <class T>
-  void put_all(std::span<const T> values) {
-    put(values.data(), values.size_bytes());
-  }
   /// Zeros up to a multiple of four.
   void align();
   uint64_t bytes() const { return flushed_ + at_; }

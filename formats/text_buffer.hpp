@@ -17,6 +17,7 @@ class TextBuffer {
   }
   void advance(char* end) { at_ = end; }
   void put(std::string_view text) {
+    if (text.empty()) return;
     char* const to = room(text.size());
     std::memcpy(to, text.data(), text.size());
     advance(to + text.size());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <set>
@@ -118,6 +119,23 @@ TEST_CASE("records come back from memory and from disk") {
   read(0);
   other.join();
   CHECK(wrong == std::array<std::size_t, 2>{});
+}
+
+TEST_CASE("where nothing can be kept the folder is named, and what to do") {
+  const char* const before = std::getenv("TMPDIR");
+  const std::string usual = before ? before : "";
+  setenv("TMPDIR", "/proc", 1);
+  Diagnostic said;
+  try {
+    RecordFile records;
+    const std::string record(1 << 20, 'a');
+    for (int i = 0; i < 5; ++i) records.add(record);
+  } catch (const Failure& failure) {
+    said = failure.diagnostic;
+  }
+  before ? setenv("TMPDIR", usual.c_str(), 1) : unsetenv("TMPDIR");
+  CHECK(said.text.starts_with("can not keep footprints in '/proc': "));
+  CHECK(said.help.find("TMPDIR") != said.help.npos);
 }
 
 TEST_CASE("a footprint is the same after its way through bytes, whatever was there before") {
